@@ -4,7 +4,8 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.common.faults import Fault as Fault, InputError as InputError
-    from hertzwerk.runtime.studies.comparison.compare_run import Comparison as Comparison, compare as compare
+    from hertzwerk.runtime.studies.comparison.compare_run import compare as compare
+    from hertzwerk.runtime.studies.comparison.comparison_result import Comparison as Comparison
     from hertzwerk.runtime.studies.uncertainty.correlated import Correlated as Correlated
     from hertzwerk.runtime.studies.uncertainty.distributions import (
         LogNormal as LogNormal,
@@ -28,8 +29,8 @@ if TYPE_CHECKING:  # the list of public names
         read_impacts as read_impacts,
         read_measurement as read_measurement,
     )
+    from hertzwerk.runtime.studies.fitting.fit_result import Fit as Fit
     from hertzwerk.runtime.studies.fitting.parameter_fit import (
-        Fit as Fit,
         fit as fit,
         fit_laws as fit_laws,
         fit_moments as fit_moments,

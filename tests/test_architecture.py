@@ -247,6 +247,18 @@ FILE_RINGS = {
         "runtime/studies/minimisation/plot_minimum.py",
         "runtime/studies/minimisation/minimum.py",
     ): "so does a minimum",
+    (
+        "runtime/studies/fitting/plot_fit.py",
+        "runtime/studies/fitting/fit_result.py",
+    ): "so does a fit",
+    (
+        "runtime/studies/fitting/moments/plot_moments.py",
+        "runtime/studies/fitting/moments/moment_fit.py",
+    ): "so does a fit of moments",
+    (
+        "runtime/studies/comparison/plot_comparison.py",
+        "runtime/studies/comparison/comparison_result.py",
+    ): "so does a comparison",
 }
 
 

@@ -48,7 +48,7 @@ def continue_run(
     model = engine_model(
         request["target"],
         without=tuple(request["without"]),
-        laws=_laws(request["laws"], []),
+        laws=assignments("--law", request["laws"], []),
         coordinates=request["coordinates"],
     )
     until = before.settings.duration if duration is None else duration
@@ -99,10 +99,6 @@ def _read(folder: Path) -> tuple[Solution, dict[str, Any]]:
         raise InputError("--continue", [Fault("--continue", actual, "a folder that `hertzwerk run` wrote")]) from error
 
 
-def _laws(texts: Sequence[str], faults: list[Fault]) -> dict[str, str]:
-    return assignments("--law", texts, faults)
-
-
 def _differences(
     before: Solution,
     model: EngineModel,
@@ -130,8 +126,8 @@ def _differences(
         "--input": ([located(text, Path.cwd()) for text in inputs] or None, request["inputs"]),
         "--without": (sorted(without) or None, sorted(request["without"])),
         "--law": (
-            _laws([located_laws(text, Path.cwd()) for text in laws], faults) or None,
-            _laws(request["laws"], faults),
+            assignments("--law", [located_laws(text, Path.cwd()) for text in laws], faults) or None,
+            assignments("--law", request["laws"], faults),
         ),
         "--coordinates": (coordinates, request["coordinates"]),
         "--method": (method, before.settings.method),

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.runtime.cli.target_options import Variation, assignments, run_settings
+from hertzwerk.runtime.system.digests import record_text
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.studies.minimisation.minimum import Minimum
@@ -68,7 +69,6 @@ def named(option: str, texts: Sequence[str], sign: str, faults: list[Fault]) -> 
 
 def keep(result: Propagated | Minimum, folder: Path, name: str) -> list[str]:
     """Write the record and the picture of a result into a folder; return what could not be made."""
-    from hertzwerk.runtime.cli.run_folder import record_text
     from hertzwerk.runtime.cli.target_options import command_line
     from hertzwerk.runtime.engine.solution.solution import write
     from hertzwerk.runtime.system.result_folder import failures_of

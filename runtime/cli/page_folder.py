@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.runtime.cli.run_folder import record_text
 from hertzwerk.runtime.studies.paper.study_page import Cell, Page, Table, Verdict
 from hertzwerk.runtime.system.atomic_files import scratch_folder, write_atomically
-from hertzwerk.runtime.system.digests import read_sealed
+from hertzwerk.runtime.system.digests import read_sealed, record_text
 from hertzwerk.runtime.system.result_folder import failures_of, made_folder, new_folder
 from hertzwerk.runtime.system.versions import versions
 

@@ -3,24 +3,26 @@
 from __future__ import annotations
 
 import io
-import json
-import math
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext, suppress
+from contextlib import suppress
 from dataclasses import asdict, dataclass, field
 from functools import cache, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from hertzwerk.runtime.cli.stop_signals import Stopping
+from hertzwerk.runtime.cli.terminal import Progress
 from hertzwerk.runtime.system.atomic_files import scratch_folder, write_atomically
-from hertzwerk.runtime.system.digests import sealed
+from hertzwerk.runtime.system.digests import record_text
 from hertzwerk.runtime.system.forked_tasks import side_by_side
 from hertzwerk.runtime.system.result_folder import failures_of, new_folder
 from hertzwerk.runtime.system.versions import versions
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities
     from hertzwerk.runtime.engine.solution.averages import Average
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
@@ -96,31 +98,23 @@ def record(solution: EngineSolution) -> dict[str, Any]:
     }
 
 
-def json_text(content: dict[str, Any]) -> str:
-    """Return standard JSON; numbers that are not finite are null."""
-    return json.dumps(_finite(content), indent=2, allow_nan=False)
-
-
-def record_text(content: dict[str, Any]) -> str:
-    """Return the content of a file of JSON that is read back, with its digest."""
-    return json_text(sealed(_finite(content))) + "\n"
-
-
 def write_study(
-    name: str, out: Path | None, texts: Mapping[str, str], save: Callable[[Path], object] | None, missing: list[str]
+    name: str, out: Path | None, texts: Mapping[str, str], draw: Callable[[], Figure] | None, missing: list[str]
 ) -> tuple[Path, list[str]]:
-    """Write texts by file name, and a picture NAME.png if there is `save`; return the folder, its files.
+    """Write texts by file name, and the picture that `draw` makes; return the folder and its files.
 
-    A failure of the picture is appended to `missing`.
+    The picture is named as the first file. A failure of it is appended to `missing`.
     """
 
     def fill(folder: Path) -> list[str]:
         for file, text in texts.items():
             (folder / file).write_text(text, encoding="utf-8")
-        if save is None:
+        if draw is None:
             return list(texts)
-        picture = f"{name.rpartition('-')[2]}.png"
-        failures = failures_of(picture, lambda: save(folder / picture))
+        from hertzwerk.runtime.output.plots.save_figure import save_png
+
+        picture = f"{Path(next(iter(texts))).stem}.png"
+        failures = failures_of(picture, lambda: save_png(draw(), folder / picture))
         missing.extend(failures)
         return [*texts, *([] if failures else [picture])]
 
@@ -153,7 +147,7 @@ def write(
     pictures follow independently: a failed or stopped one is reported in run.json and leaves no part of a file.
     Raises OSError where no data can be written.
     """
-    stop = stopping or _Never()
+    stop = stopping or Stopping(Progress("", shown=False))
     lost = list(solution.engine.findings.compute_all())
     stop.stage("writing states.npz")
     folder, files = new_folder(solution.engine.model.name, out, lambda at: _write_data(solution, at, lost, request))
@@ -173,30 +167,6 @@ def write(
             lambda: write_atomically(folder / "run.json", _text(solution, missing, request, written.averages)),
         )
     return written
-
-
-class Stopping(Protocol):
-    """Stop request: whether it was made, where it may interrupt at once, and the current stage."""
-
-    @property
-    def requested(self) -> bool:
-        """Return whether a stop was requested."""
-
-    def at_once(self) -> AbstractContextManager[None]:
-        """Return a context in which a stop request raises KeyboardInterrupt."""
-
-    def stage(self, name: str) -> None:
-        """Announce the stage that begins."""
-
-
-class _Never:
-    requested = False
-
-    def at_once(self) -> AbstractContextManager[None]:
-        return nullcontext()
-
-    def stage(self, name: str) -> None:
-        pass
 
 
 @dataclass
@@ -348,11 +318,3 @@ def _text(
     content |= {"averages": [asdict(average) for average in averages]} if averages else {}
     content |= {"request": dict(request)} if request is not None else {}
     return record_text({**content, "warnings": [*content["warnings"], *lost]}).encode()
-
-
-def _finite(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: _finite(entry) for key, entry in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_finite(entry) for entry in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -15,6 +15,7 @@ import click
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.cli import line_wrapping
+from hertzwerk.runtime.system.digests import json_text
 
 Written = TypeVar("Written")
 Item = TypeVar("Item")
@@ -95,7 +96,6 @@ def conclude(
 
     `write` returns the folder and its files; what it could not write it appends to the list.
     """
-    from hertzwerk.runtime.cli.run_folder import json_text
 
     missing: list[str] = []
     written = written_or_none(lambda: write(missing), missing, wanted=wanted)

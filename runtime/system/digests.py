@@ -1,14 +1,34 @@
-"""Digests of records that are kept as JSON and read back: a damaged one is refused, not believed."""
+"""Records as JSON, with digests where they are read back: a damaged one is refused, not believed."""
 
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping
 from hashlib import blake2b
 from pathlib import Path
 from typing import Any
 
 DIGEST = "digest"
+
+
+def finite(value: Any) -> Any:
+    """Return plain data with None in place of numbers that are not finite, which JSON has not."""
+    if isinstance(value, dict):
+        return {key: finite(entry) for key, entry in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [finite(entry) for entry in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def json_text(content: dict[str, Any]) -> str:
+    """Return standard JSON; numbers that are not finite are null."""
+    return json.dumps(finite(content), indent=2, allow_nan=False)
+
+
+def record_text(content: dict[str, Any]) -> str:
+    """Return the content of a file of JSON that is read back, with its digest."""
+    return json_text(sealed(finite(content))) + "\n"
 
 
 def sealed(record: Mapping[str, Any]) -> dict[str, Any]:

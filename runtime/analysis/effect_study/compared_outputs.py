@@ -16,7 +16,7 @@ import numpy as np
 
 from hertzwerk.derive.common.faults import Fault
 from hertzwerk.runtime.engine.model.model import EngineModel
-from hertzwerk.runtime.engine.solution.dense_output import Samples
+from hertzwerk.runtime.engine.solution.dense_output import REDUCERS, Samples
 from hertzwerk.runtime.engine.solution.history import History, acceleration_of, unknown_histories
 
 if TYPE_CHECKING:
@@ -130,19 +130,11 @@ def _of_history(run: EngineSolution, kind: str, name: str) -> Output:
     return Output(f"{kind}.{name}", run.engine.history.units[name], f"{meaning} {name}", lambda s: of(s, name), (name,))
 
 
-def _highest(samples: Samples, name: str) -> float:
-    return samples.highest(lambda history: history[name])
-
-
-def _lowest(samples: Samples, name: str) -> float:
-    return -samples.highest(lambda history: -history[name])
-
-
 _KINDS: dict[str, tuple[str, Callable[[Samples, str], float]]] = {
-    "max": ("maximum of", _highest),
-    "min": ("minimum of", _lowest),
-    "mean": ("mean over time of", lambda s, name: s.mean(lambda history: history[name])),
-    "amplitude": ("half the range of", lambda s, name: (_highest(s, name) - _lowest(s, name)) / 2),
+    "max": ("maximum of", REDUCERS["max"]),
+    "min": ("minimum of", REDUCERS["min"]),
+    "mean": ("mean over time of", REDUCERS["mean"]),
+    "amplitude": ("half the range of", lambda samples, name: REDUCERS["peak_to_peak"](samples, name) / 2),
 }
 
 

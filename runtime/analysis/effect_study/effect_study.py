@@ -121,14 +121,14 @@ def _record(row: Row) -> dict[str, Any]:
         "time_interval": None if share is None else [share.low, share.high],
         "changes": {name: change.relative for name, change in row.changes.items()},
         "noise": {name: change.noise for name, change in row.changes.items()},
-        "why": {name: _why(change) for name, change in row.changes.items() if change.relative is None},
+        "why": {
+            name: ": ".join(filter(None, (change.why, change.detail)))
+            for name, change in row.changes.items()
+            if change.relative is None
+        },
         "fault": row.fault or None,
         "notes": list(row.notes),
     }
-
-
-def _why(change: Change) -> str:
-    return f"{change.why}: {change.detail}" if change.detail else change.why
 
 
 def percent(value: float, *, sign: bool = True) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import textwrap
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
@@ -27,12 +26,6 @@ COLUMN, ROW = 2.5, 0.42  # inches
 BELOW = 0.28  # inches from an axis to the legend under it
 CHARACTERS = 38  # of a caption, under each column
 BEHIND: Any = {"facecolor": "white", "edgecolor": "none", "pad": 0.6}
-
-
-def save(study: Study, path: Path) -> None:
-    """Write the picture."""
-    with mpl.rc_context(STYLE):
-        figure(study).savefig(path)
 
 
 def figure(study: Study) -> Figure:

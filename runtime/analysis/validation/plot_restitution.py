@@ -5,7 +5,6 @@ A panel shows the restitution returned less the one requested.
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import matplotlib as mpl
@@ -30,12 +29,6 @@ OWN = {  # dimensionless form of a law's own parameter, and its trend
     "power_damping": (r"$\chi\,v_0/K$, $m = n$", "returns less at higher speed"),
     "kuwabara_kono": (r"$A\,(K^2v_0/m^2)^{1/5}$", "returns less at higher speed"),
 }
-
-
-def save(study: Study, path: Path) -> None:
-    """Write the picture."""
-    with mpl.rc_context(STYLE):
-        figure(study).savefig(path)
 
 
 def figure(study: Study) -> Figure:

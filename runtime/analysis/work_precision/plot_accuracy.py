@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
@@ -44,12 +43,6 @@ RING: dict[str, Any] = {
     "color": VERMILLION,
     "linestyle": "none",
 }
-
-
-def save(study: Study, path: Path) -> None:
-    """Write the picture."""
-    with mpl.rc_context(STYLE):
-        figure(study).savefig(path)
 
 
 def figure(study: Study) -> Figure:

@@ -39,6 +39,7 @@ from hertzwerk.runtime.cli.terminal import (
     table,
     written_or_none,
 )
+from hertzwerk.runtime.system.digests import json_text
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.solution.averages import Average
@@ -146,7 +147,7 @@ def run(
     if written is not None:
         missing += written.missing
     if as_json:
-        click.echo(run_folder.json_text(run_folder.summary(solution, averages=averages)))
+        click.echo(json_text(run_folder.summary(solution, averages=averages)))
         return report_missing(missing) if solution.outcome.finished else OTHER_OUTCOME
     _report(solution)
     if written is not None:

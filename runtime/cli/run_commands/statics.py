@@ -14,6 +14,7 @@ import click
 from hertzwerk.derive.common.faults import InputError, refuse
 from hertzwerk.runtime.cli.target_options import JSON, VARIATION, Variation, assignments, together
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
+from hertzwerk.runtime.system.digests import json_text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -50,8 +51,6 @@ def statics(out: Path | None, as_json: bool, **options: Any) -> int:
     """
     rest = _read(Variation.taken(options.pop("target"), options), out=out, **options)
     if as_json:
-        from hertzwerk.runtime.cli.run_folder import json_text
-
         record = {
             "scene": rest.model.name,
             "outcome": {"name": rest.outcome.name, "message": rest.outcome.message, "remedy": rest.outcome.remedy},
@@ -88,8 +87,6 @@ def modes(out: Path | None, as_json: bool, **options: Any) -> int:
 
     vibrations = modes_of(rest) if rest.converged else None
     if as_json:
-        from hertzwerk.runtime.cli.run_folder import json_text
-
         record = {
             "scene": rest.model.name,
             "equilibrium": rest.outcome.name,

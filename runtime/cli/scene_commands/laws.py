@@ -21,6 +21,7 @@ from hertzwerk.runtime.cli.terminal import (
     reports_bad_input,
     table,
 )
+from hertzwerk.runtime.system.digests import json_text
 
 if TYPE_CHECKING:
     from hertzwerk.derive.exchange.law_sheets.law_sheet import Formula, Restitution, Sheet
@@ -262,15 +263,15 @@ def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool
 
 
 def _write(result: Study, out: Path | None, missing: list[str], *, plots: bool) -> tuple[Path, list[str]]:
-    from hertzwerk.runtime.cli.run_folder import json_text, write_study
+    from hertzwerk.runtime.cli.run_folder import write_study
 
-    def save(file: Path) -> None:
+    def draw() -> Any:
         from hertzwerk.runtime.analysis.validation import plot_restitution
 
-        plot_restitution.save(result, file)
+        return plot_restitution.figure(result)
 
     texts = {"restitution.csv": result.csv(), "restitution.json": json_text(result.record()) + "\n"}
-    return write_study("restitution", out, texts, save if plots else None, missing)
+    return write_study("restitution", out, texts, draw if plots else None, missing)
 
 
 def _report(result: Study) -> None:

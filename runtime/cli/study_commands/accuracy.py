@@ -20,6 +20,7 @@ from hertzwerk.runtime.cli.target_options import (
     with_inputs,
 )
 from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, conclude, line, reports_bad_input, table
+from hertzwerk.runtime.system.digests import json_text
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.analysis.work_precision.reference_run import NoReferenceError, Problem, Reference
@@ -88,13 +89,13 @@ def _write(result: Study, out: Path | None, missing: list[str]) -> tuple[Path, l
     """Write data and picture of a study."""
     from hertzwerk.runtime.analysis.work_precision import plot_accuracy
     from hertzwerk.runtime.analysis.work_precision.accuracy_report import csv_text, record
-    from hertzwerk.runtime.cli.run_folder import json_text, write_study
+    from hertzwerk.runtime.cli.run_folder import write_study
     from hertzwerk.runtime.system.versions import versions
 
     content = {**record(result), "versions": versions()}
     texts = {"accuracy.csv": csv_text(result), "accuracy.json": json_text(content) + "\n"}
     name = f"{result.problem.model.name}-accuracy"
-    return write_study(name, out, texts, lambda file: plot_accuracy.save(result, file), missing)
+    return write_study(name, out, texts, lambda: plot_accuracy.figure(result), missing)
 
 
 def _shown(problem: Problem, progress: Progress, *, quiet: bool) -> Callable[[Reference, Sequence[Row]], None]:
@@ -137,7 +138,6 @@ def _report(result: Study) -> None:
 
 def _without_reference(problem: Problem, error: NoReferenceError, *, as_json: bool) -> int:
     """Report that no two methods reach the end, so that errors cannot be measured."""
-    from hertzwerk.runtime.cli.run_folder import json_text
 
     failed = {method: (run.outcome, run.t_end) for method, run in error.runs.items()}
     if as_json:

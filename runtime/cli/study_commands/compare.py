@@ -30,17 +30,17 @@ from hertzwerk.runtime.cli.target_options import (
 from hertzwerk.runtime.cli.terminal import (
     OTHER_OUTCOME,
     Progress,
+    conclude,
     line,
-    report_missing,
     reports_bad_input,
     table,
-    written_or_none,
 )
+from hertzwerk.runtime.system.digests import json_text
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.studies.comparison.comparison_request import ComparisonRequest
-    from hertzwerk.runtime.studies.comparison.comparison_result import Compared
+    from hertzwerk.runtime.studies.comparison.comparison_result import Comparison
     from hertzwerk.runtime.studies.comparison.signal_statistics import Estimated
 
 
@@ -109,9 +109,7 @@ def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
     measurement in the paper of Wang and Liu (2020) is not to be had; provide your own data. Exit code 1: run and data
     differ by more than the stated noise.
     """
-    from hertzwerk.runtime.cli.run_folder import json_text
     from hertzwerk.runtime.engine.inputs.measurement_csv import Reading
-    from hertzwerk.runtime.system.result_folder import new_folder
 
     wanted = out is not None or not as_json
     faults = unwritable_faults(out, wanted=wanted)
@@ -121,23 +119,13 @@ def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
         Stopping(progress) as stopping,
     ):
         comparison = _compared(Variation.taken(target, options), faults, stopping, **options)
-    missing: list[str] = []
-    folder = written_or_none(
-        lambda: new_folder(
-            f"{comparison.solution.engine.model.name}-compare",
-            out,
-            lambda at: _write(comparison, at, missing, plots=not no_plots),
-        ),
-        missing,
+    code = conclude(
+        lambda missing: _write(comparison, out, missing, plots=not no_plots),
+        comparison.record,
+        lambda: _report(comparison),
         wanted=wanted,
+        as_json=as_json,
     )
-    if as_json:
-        click.echo(json_text(comparison.record()))
-    else:
-        _report(comparison)
-        if folder is not None:
-            line("written", f"{folder[0]}/ ({', '.join(folder[1])})")
-    code = report_missing(missing)
     return (
         OTHER_OUTCOME
         if comparison.differs or comparison.solution.t_end < comparison.solution.settings.duration
@@ -156,7 +144,7 @@ def _compared(
     max_steps: str | None,
     wall_time: str | None,
     **measured: Any,
-) -> Compared:
+) -> Comparison:
     """Return the comparison of a command line; raises InputError with every fault before it runs."""
     from hertzwerk.runtime.engine.run.run_request import Settings, check
     from hertzwerk.runtime.engine.start.start_values import split_values
@@ -198,23 +186,16 @@ def _request(
         return None
 
 
-def _write(comparison: Compared, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
-    from hertzwerk.runtime.cli.run_folder import json_text, record
-    from hertzwerk.runtime.system.result_folder import failures_of
+def _write(comparison: Comparison, out: Path | None, missing: list[str], *, plots: bool) -> tuple[Path, list[str]]:
+    from hertzwerk.runtime.cli.run_folder import record, write_study
 
     content = {**comparison.record(), "run": record(comparison.solution)}
-    (folder / "comparison.json").write_text(json_text(content) + "\n", encoding="utf-8")
-    (folder / "comparison.csv").write_text(comparison.csv(), encoding="utf-8")
-    files = ["comparison.json", "comparison.csv"]
-    if not plots:
-        return files
-    from hertzwerk.runtime.studies.comparison.plot_comparison import save
-
-    missing += failures_of("comparison.png", lambda: save(comparison, folder / "comparison.png"))
-    return files if missing else [*files, "comparison.png"]
+    texts = {"comparison.json": json_text(content) + "\n", "comparison.csv": comparison.csv()}
+    name = f"{comparison.solution.engine.model.name}-compare"
+    return write_study(name, out, texts, comparison.plot if plots else None, missing)
 
 
-def _report(comparison: Compared) -> None:
+def _report(comparison: Comparison) -> None:
     """Print the sentences, then the statistics as a table."""
     for label, text in comparison.lines(statistics=False):
         line(label, text)

@@ -31,6 +31,7 @@ from hertzwerk.runtime.cli.terminal import (
     reports_bad_input,
     table,
 )
+from hertzwerk.runtime.system.digests import json_text
 
 DEFAULT = 1e-9  # least default tolerance: an error of this size hides no effect
 
@@ -132,15 +133,15 @@ def _fraction(text: str, faults: list[Fault]) -> float | None:
 
 
 def _write(study: Study, out: Path | None, missing: list[str], *, plots: bool) -> tuple[Path, list[str]]:
-    from hertzwerk.runtime.cli.run_folder import json_text, write_study
+    from hertzwerk.runtime.cli.run_folder import write_study
 
-    def save(file: Path) -> None:
+    def draw() -> Any:
         from hertzwerk.runtime.analysis.effect_study import plot_effects
 
-        plot_effects.save(study, file)
+        return plot_effects.figure(study)
 
     texts = {"effects.json": json_text(study.record()) + "\n"}
-    return write_study(f"{study.scene}-effects", out, texts, save if plots else None, missing)
+    return write_study(f"{study.scene}-effects", out, texts, draw if plots else None, missing)
 
 
 # -- as people read it -------------------------------------------------------------------------------------------------

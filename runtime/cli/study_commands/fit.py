@@ -22,12 +22,13 @@ from hertzwerk.runtime.cli.target_options import (
     unwritable_faults,
 )
 from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, conclude, line, reports_bad_input
+from hertzwerk.runtime.system.digests import record_text
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.model import EngineModel
-    from hertzwerk.runtime.studies.fitting.fit_result import Fitted
+    from hertzwerk.runtime.studies.fitting.fit_result import Estimates, Fit
     from hertzwerk.runtime.studies.fitting.law_ranking import Ranking
-    from hertzwerk.runtime.studies.fitting.moments.moment_fit import FittedMoments
+    from hertzwerk.runtime.studies.fitting.moments.moment_fit import MomentFit
 
 
 OF_SERIES = "bandwidth", "order", "zero_phase", "skip"  # options of statistics that are computed
@@ -147,9 +148,9 @@ def fit(target: str, out: Path | None, no_plots: bool, as_json: bool, **options:
     faults = unwritable_faults(out, wanted=wanted)
     moments, varied = options.pop("moments"), Variation.taken(target, options)
     options["reading"] = reading_of(options, faults)
-    estimates: Fitted | FittedMoments
+    estimates: Estimates
     ranking: Ranking | None
-    result: Fitted | FittedMoments | Ranking
+    result: Estimates | Ranking
     with Progress(f"fit of {target}", shown=not as_json) as progress:
         if moments or not options["measured"]:
             estimates, ranking = _of_moments(varied, moments, faults, progress, **options), None
@@ -176,7 +177,7 @@ def _fitted(
     *,
     among: Sequence[str],
     **options: Any,
-) -> tuple[Fitted, Ranking | None]:
+) -> tuple[Fit, Ranking | None]:
     """Return the fit of a command line, and of several laws their ranking; raises InputError."""
     from hertzwerk.runtime.studies.fitting.fitting import fitted, read_fit
     from hertzwerk.runtime.studies.fitting.law_ranking import law_variants, ranked, read_laws, split_laws
@@ -218,7 +219,7 @@ def _of_moments(
     skip: str | None,
     reading: Mapping[str, Any],
     **others: Any,
-) -> FittedMoments:
+) -> MomentFit:
     """Return the fit of statistics; raises InputError with every fault."""
     from hertzwerk.runtime.engine.inputs.measurement_csv import Reading
     from hertzwerk.runtime.studies.fitting.moments.measured_moments import MeasuredSeries
@@ -358,45 +359,23 @@ def _arguments(
 
 
 def _write(
-    estimates: Fitted | FittedMoments, ranking: Ranking | None, out: Path | None, missing: list[str], *, plots: bool
+    estimates: Estimates, ranking: Ranking | None, out: Path | None, missing: list[str], *, plots: bool
 ) -> tuple[Path, list[str]]:
-    from hertzwerk.runtime.cli.run_folder import record_text
+    from hertzwerk.runtime.cli.run_folder import write_study
     from hertzwerk.runtime.cli.target_options import command_line
-    from hertzwerk.runtime.studies.fitting.moments.moment_fit import FittedMoments
-    from hertzwerk.runtime.system.result_folder import failures_of, new_folder
+    from hertzwerk.runtime.studies.fitting.fit_result import Fit
     from hertzwerk.runtime.system.versions import versions
 
-    def fill(folder: Path) -> list[str]:
-        about = {"command": command_line(), "versions": versions()}
-        texts = {
-            "fit.json": record_text({**estimates.record(), **about}),
-        }
-        if isinstance(estimates, FittedMoments):
-            texts["fit.md"] = "".join(f"- {label}: {text}\n" for label, text in estimates.lines())
-        else:
-            texts |= {"fit.csv": estimates.csv(), "fit.md": estimates.markdown()}
-        if ranking is not None:
-            texts |= {"laws.json": record_text({**ranking.record(), **about}), "laws.md": ranking.markdown()}
-        for name, text in texts.items():
-            (folder / name).write_text(text, encoding="utf-8")
-        if not plots:
-            return list(texts)
-        from hertzwerk.runtime.studies.fitting import plot_fit
-        from hertzwerk.runtime.studies.fitting.moments import plot_moments
-
-        def draw() -> None:
-            if isinstance(estimates, FittedMoments):
-                plot_moments.save(estimates, folder / "fit.png")
-            else:
-                plot_fit.save(estimates, folder / "fit.png")
-
-        failures = failures_of("fit.png", draw)
-        missing.extend(failures)
-        return [*texts, *([] if failures else ["fit.png"])]
-
-    return new_folder(f"{estimates.scene}-fit", out, fill)
+    about = {"command": command_line(), "versions": versions()}
+    texts = {"fit.json": record_text({**estimates.record(), **about})}
+    if isinstance(estimates, Fit):
+        texts["fit.csv"] = estimates.csv()
+    texts["fit.md"] = estimates.markdown()
+    if ranking is not None:
+        texts |= {"laws.json": record_text({**ranking.record(), **about}), "laws.md": ranking.markdown()}
+    return write_study(f"{estimates.scene}-fit", out, texts, estimates.plot if plots else None, missing)
 
 
-def _report(result: Fitted | FittedMoments | Ranking) -> None:
+def _report(result: Estimates | Ranking) -> None:
     for label, text in result.lines():
         line(label, text)

@@ -12,6 +12,7 @@ import click
 from hertzwerk.derive.common.faults import Fault, refuse, unknown
 from hertzwerk.runtime.cli.line_wrapping import GAP, PROSE, columns, wrapped
 from hertzwerk.runtime.cli.terminal import COLOURS, GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
+from hertzwerk.runtime.system.digests import json_text
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.analysis.hard_cases.case import HardCase
@@ -95,7 +96,6 @@ def _chosen(names: Sequence[str], methods: Sequence[str], *, everything: bool) -
 
 
 def _list(cases: Sequence[HardCase], *, as_json: bool) -> int:
-    from hertzwerk.runtime.cli.run_folder import json_text
 
     if as_json:
         click.echo(json_text({"cases": [_about(case) for case in cases]}))
@@ -116,7 +116,6 @@ def _about(case: HardCase) -> dict[str, Any]:
 
 
 def _print_json(cases: Sequence[HardCase], by_case: dict[str, dict[str, Result]], failed: Sequence[Result]) -> None:
-    from hertzwerk.runtime.cli.run_folder import json_text
 
     records = [
         {**_about(case), "results": [of[method].record() for method in case.methods if method in of]}

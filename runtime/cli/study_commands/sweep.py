@@ -34,6 +34,7 @@ from hertzwerk.runtime.cli.terminal import (
     table,
     written_or_none,
 )
+from hertzwerk.runtime.system.digests import json_text
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -183,8 +184,6 @@ def sweep(
         missing += failures_of(PICTURE, lambda: _draw(result, folder / PICTURE))
     whole = result.outcome.finished and set(result.counts()) <= {"finished"}
     if as_json:
-        from hertzwerk.runtime.cli.run_folder import json_text
-
         click.echo(json_text({**_record(result), "out": folder and str(folder)}))
     else:
         _report(result, folder, None if missing else file)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -109,3 +110,14 @@ class Samples:
         if self.run.engine.history.steps:
             return self.run.engine.history.between(self._begins, self._steps)
         return self.run.at(self.run.t[self._begins + 1])
+
+
+REDUCERS: dict[str, Callable[[Samples, str], float]] = {
+    "max": lambda samples, name: samples.highest(lambda history: history[name]),
+    "min": lambda samples, name: -samples.highest(lambda history: -history[name]),
+    "mean": lambda samples, name: samples.mean(lambda history: history[name]),
+    "rms": partial(Samples.norm, order=2),
+    "peak_to_peak": lambda samples, name: REDUCERS["max"](samples, name) - REDUCERS["min"](samples, name),
+    **{kind: partial(Samples.norm, order=order) for kind, order in NORMS.items()},
+}
+"""Numbers of a history in a run, by name."""

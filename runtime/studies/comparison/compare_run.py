@@ -1,9 +1,9 @@
-"""Comparison of a run with measured data, as users call it, with its picture."""
+"""Comparison of a run with measured data, as users call it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.inputs.input_values import Input
@@ -15,21 +15,8 @@ from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.comparison.comparison_request import Between, read_comparison_request
-from hertzwerk.runtime.studies.comparison.comparison_result import Compared
+from hertzwerk.runtime.studies.comparison.comparison_result import Comparison
 from hertzwerk.runtime.studies.comparison.matching import match
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-
-class Comparison(Compared):
-    """Result of `compare`: a run beside measured data, with its picture."""
-
-    def plot(self) -> Figure:
-        """Draw measured data over the run, the residual, and spectra, for each signal."""
-        from hertzwerk.runtime.studies.comparison import plot_comparison
-
-        return plot_comparison.figure(self)
 
 
 def compare(
@@ -87,4 +74,4 @@ def compare(
         drift=drift,
         noise=noise,
     )
-    return Comparison(**vars(match(run or simulate(model, **{"duration": request.lasts, **settings}), request)))
+    return match(run or simulate(model, **{"duration": request.lasts, **settings}), request)

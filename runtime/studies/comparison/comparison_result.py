@@ -13,6 +13,8 @@ from hertzwerk.derive.common.units import time_text
 from hertzwerk.runtime.studies.comparison.signal_statistics import Estimated, Statistic, by_chance
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
     from hertzwerk.runtime.studies.comparison.alignment import Alignment
     from hertzwerk.runtime.studies.comparison.comparison_request import Channel, ComparisonRequest
@@ -53,8 +55,8 @@ class Signal:
 
 
 @dataclass(frozen=True)
-class Compared:
-    """Run beside measured data.
+class Comparison:
+    """Result of `compare`: a run beside measured data.
 
     horizon     time [s] up to which trajectories are compared: the run's own errors grow to 0.1 % of its scales there
     outside     measured times that lie outside the run
@@ -97,6 +99,12 @@ class Compared:
 
     def __str__(self) -> str:
         return "\n".join(f"{label}: {text}" for label, text in self.lines())
+
+    def plot(self) -> Figure:
+        """Draw measured data over the run, the residual, and spectra, for each signal."""
+        from hertzwerk.runtime.studies.comparison import plot_comparison
+
+        return plot_comparison.figure(self)
 
     def csv(self) -> str:
         """Return run times with measured and run of every signal as CSV; empty where missing."""
@@ -226,7 +234,7 @@ def _statistic(statistic: Statistic) -> str:
     )
 
 
-def _verdict(comparison: Compared) -> str:
+def _verdict(comparison: Comparison) -> str:
     """Return a sentence that says no more than the numbers do."""
     differ, counted = (
         sum(numbers) for numbers in zip(*(signal.differing for signal in comparison.signals), strict=True)

@@ -17,7 +17,7 @@ import numpy as np
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.accuracy.error_estimate import VALID, horizon
 from hertzwerk.runtime.studies.comparison.alignment import Alignment, align
-from hertzwerk.runtime.studies.comparison.comparison_result import Compared, Signal
+from hertzwerk.runtime.studies.comparison.comparison_result import Comparison, Signal
 from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun
 from hertzwerk.runtime.studies.comparison.residuals import residual_of
 from hertzwerk.runtime.studies.comparison.signal_statistics import Statistic, statistics_of
@@ -35,7 +35,7 @@ PER_SAMPLE = 4  # cells of an unfiltered run in a measured step
 SEED = 0  # of the noise added to the run before statistics
 
 
-def match(run: EngineSolution, request: ComparisonRequest) -> Compared:
+def match(run: EngineSolution, request: ComparisonRequest) -> Comparison:
     """Compare a run with what was read; raises InputError for a run too short, or without its steps."""
     if not run.engine.history.steps:
         actual, expected = "a saved run, or one that kept a grid", "a run that kept its steps, grid=None"
@@ -54,7 +54,7 @@ def match(run: EngineSolution, request: ComparisonRequest) -> Compared:
         for k, channel in enumerate(request.channels)
     )
     outside = int(np.sum(~inside))
-    return Compared(
+    return Comparison(
         run, request, alignment, known, signals, outside, tuple(_warnings(run, request, alignment, outside))
     )
 

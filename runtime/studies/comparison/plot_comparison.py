@@ -19,7 +19,7 @@ from hertzwerk.runtime.system.arrays import Array
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from hertzwerk.runtime.studies.comparison.comparison_result import Compared, Signal
+    from hertzwerk.runtime.studies.comparison.comparison_result import Comparison, Signal
 
 SHADE = "#f1ece4"  # beyond the horizon
 CLOSE = 40  # samples around the largest measured value, each side, that its panel shows
@@ -28,13 +28,7 @@ PARTS = 2000  # of a curve that is thinned, more than a panel has columns of dot
 CHARACTERS = 165  # of a line below the panels
 
 
-def save(comparison: Compared, path: Path) -> None:
-    """Write the picture."""
-    with mpl.rc_context(STYLE):
-        figure(comparison).savefig(path)
-
-
-def figure(comparison: Compared) -> Figure:
+def figure(comparison: Comparison) -> Figure:
     """Draw measured data over the run, its largest peak, the residual and the spectra of each signal."""
     count = len(comparison.signals)
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM}):
@@ -52,7 +46,7 @@ def figure(comparison: Compared) -> Figure:
     return page
 
 
-def _signal(above: Array, below: Array, signal: Signal, comparison: Compared) -> None:
+def _signal(above: Array, below: Array, signal: Signal, comparison: Comparison) -> None:
     """Draw the four panels of a signal."""
     times, values = scale_of("s", signal.t), scale_of(signal.channel.unit, [signal.measured, signal.run])
     (whole, close), (residual, spectra) = above, below
@@ -117,7 +111,7 @@ def _residual(axis: Axes, signal: Signal, times: Scale) -> None:
     axis.set_xlabel(f"run time [{times.unit}]")
 
 
-def _spectra(axis: Axes, signal: Signal, comparison: Compared) -> None:
+def _spectra(axis: Axes, signal: Signal, comparison: Comparison) -> None:
     spectrum = signal.spectrum
     if isinstance(spectrum, str):
         empty_panel(axis, "\n".join(textwrap.wrap(f"no spectrum: {spectrum}", 45)))

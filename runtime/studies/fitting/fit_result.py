@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
 from itertools import combinations
-from typing import Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,9 @@ from hertzwerk.runtime.studies.fitting.intervals import LEVEL, Interval
 from hertzwerk.runtime.studies.uncertainty.correlated import Correlated
 from hertzwerk.runtime.studies.uncertainty.distributions import Distribution, LogNormal, Normal, TruncatedNormal
 from hertzwerk.runtime.system.arrays import Array
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 REJECTED = 0.05  # p-value below which noise alone does not explain the residuals
 CORRELATED = 0.5  # part of the residuals that are worth independent ones, below which intervals are too narrow
@@ -90,7 +93,11 @@ class Estimates(ABC):
     known       singular values, combinations, correlation
     unidentified      combinations of quantities that the data do not identify, in words; their values are not to be used
     goodness    None where the deviations of the data are not stated, or nothing is left over
+    data, judgement    what they are called; what is said where their deviations explain the difference, and where not
     """
+
+    data: ClassVar[str] = "data"
+    judgement: ClassVar[tuple[str, str]]
 
     scene: str
     values: Mapping[str, FittedValue]
@@ -105,14 +112,81 @@ class Estimates(ABC):
         """Return whether the stated deviations explain what differs, at 5 %; None where they are not judged."""
         return None if self.goodness is None else self.goodness.p_value >= REJECTED
 
+    def __getitem__(self, name: str) -> FittedValue:
+        """Fitted quantity; raises KeyError for an unknown name."""
+        return self.fitted[name]
+
     @property
-    @abstractmethod
+    def fitted(self) -> Mapping[str, FittedValue]:
+        """Everything that was fitted, by name."""
+        return self.values
+
+    @property
+    def untested(self) -> str:
+        """Reason why the model is not tested, where `goodness` is None."""
+        return f"as many quantities as {self.data} are fitted: no degree of freedom is left to test the model"
+
+    @property
     def verdict(self) -> str:
         """Say whether the model explains the data, and whether they identify its parameters."""
+        g, lost = self.goodness, len(self.unidentified)
+        text = (
+            self.untested
+            if g is None
+            else (
+                f"{self.judgement[not self.explained]}: chi-squared {g.chi_square:.4g} of {g.freedom} degrees of freedom, p = {g.p_value:.3g}"
+            )
+        )
+        many = f"{lost} combination{'s' if lost > 1 else ''} of parameters cannot be identified from these data"
+        return f"{text}; {many}" if lost else text
+
+    @property
+    @abstractmethod
+    def subject(self) -> str:
+        """Scene, data and number of runs."""
 
     @abstractmethod
+    def details(self) -> Iterator[tuple[str, str]]:
+        """Yield labels and sentences on these data."""
+
+    @abstractmethod
+    def plot(self) -> Figure:
+        """Draw the data over the best fit."""
+
     def lines(self) -> Iterator[tuple[str, str]]:
         """Yield what was found, as labels and sentences."""
+        yield "fit", self.subject
+        for value in self.fitted.values():
+            yield value.name, f"{value}; {value.interval.how}"
+        for text in self.unidentified:
+            yield "unidentified", text
+        yield from self.details()
+        yield "verdict", self.verdict
+        for warning in self.warnings:
+            yield "warning", warning
+
+    def record(self) -> dict[str, Any]:
+        """Return everything but the data as plain numbers, in SI, null for missing ones."""
+        return {
+            "scene": self.scene,
+            "values": {name: asdict(value) for name, value in self.values.items()},
+            "level": LEVEL,
+            "names": [free.name for free in self.known.free],
+            "correlation": self.known.correlation.tolist(),
+            "singular_values": self.known.singular_values.tolist(),
+            "directions": self.known.directions.T.tolist(),
+            "unidentified": list(self.unidentified),
+            "goodness": self.goodness and asdict(self.goodness),
+            "explained": self.explained,
+            "distribution": None if self.unidentified else self.distribution().record(),
+            "runs_made": self.runs_made,
+            "verdict": self.verdict,
+            "warnings": list(self.warnings),
+        }
+
+    def markdown(self) -> str:
+        """Return the fit as Markdown."""
+        return "".join(f"- {label}: {text}\n" for label, text in self.lines())
 
     def __str__(self) -> str:
         return "\n".join(f"{label}: {text}" for label, text in self.lines())
@@ -163,7 +237,7 @@ class Estimates(ABC):
 
 
 @dataclass(frozen=True)
-class Fitted(Estimates):
+class Fit(Estimates):
     """Fit of parameters to measured runs.
 
     nuisance            offsets and gains that were fitted, by name
@@ -182,56 +256,54 @@ class Fitted(Estimates):
     solutions: tuple[Solution, ...]
     derivatives: str
 
-    def __getitem__(self, name: str) -> FittedValue:
-        """Fitted quantity; raises KeyError for an unknown name."""
-        return {**self.values, **self.nuisance}[name]
+    judgement: ClassVar[tuple[str, str]] = (
+        "the stated noise explains the residuals",
+        "the stated noise does not explain the residuals, the model is rejected at 5 %",
+    )
+
+    @property
+    def fitted(self) -> Mapping[str, FittedValue]:
+        """Quantities, and offsets and gains, by name."""
+        return {**self.values, **self.nuisance}
 
     @property
     def parameters(self) -> dict[str, tuple[float, str]]:
         """Fitted quantities as `simulate` takes parameters and initial states."""
         return {name: (value.value, value.unit) for name, value in self.values.items()}
 
-    def lines(self) -> Iterator[tuple[str, str]]:
-        """Yield what was found, as labels and sentences."""
-        names = ", ".join(each.name for each in self.observed)
+    @property
+    def subject(self) -> str:
+        """Scene, data and number of runs."""
         used = sum(int(np.sum(signal.used)) for signal in self.signals)
-        yield "fit", f"{self.scene} to {names}: {used:,} data, {self.runs_made:,} runs"
-        for value in (*self.values.values(), *self.nuisance.values()):
-            yield value.name, f"{value}; {value.interval.how}"
-        for text in self.unidentified:
-            yield "unidentified", text
+        return (
+            f"{self.scene} to {', '.join(each.name for each in self.observed)}: {used:,} data, {self.runs_made:,} runs"
+        )
+
+    def details(self) -> Iterator[tuple[str, str]]:
+        """Yield identification, residuals and derivatives."""
         yield "identified", self._identified()
         if pairs := list(self._pairs()):
             yield "correlated", ", ".join(pairs)
         for signal in self.signals:
             if signal.residual is not None:
                 yield "residual", _residual(signal, many=len(self.observed) > 1)
-        yield "verdict", self.verdict
         yield "derivatives", self.derivatives
-        for warning in self.warnings:
-            yield "warning", warning
 
     @property
-    def verdict(self) -> str:
-        """Say whether the model explains the data, and whether they identify its parameters."""
-        parts = []
-        if self.goodness is None and any(signal.stated for signal in self.signals):
-            parts.append("as many quantities as data are fitted: no degree of freedom is left to test the model")
-        elif self.goodness is None:
-            parts.append("the model is not tested, as the noise of the measurement is not stated (noise)")
-        else:
-            g = self.goodness
-            numbers = f"chi-squared {g.chi_square:.4g} of {g.freedom} degrees of freedom, p = {g.p_value:.3g}"
-            parts.append(
-                f"the stated noise explains the residuals: {numbers}"
-                if self.explained
-                else f"the stated noise does not explain the residuals, the model is rejected at 5 %: {numbers}"
-            )
-        if self.unidentified:
-            parts.append(
-                f"{len(self.unidentified)} combination{'s' if len(self.unidentified) > 1 else ''} of parameters cannot be identified from these data"
-            )
-        return "; ".join(parts)
+    def untested(self) -> str:
+        """Reason why the model is not tested, where `goodness` is None."""
+        stated = any(signal.stated for signal in self.signals)
+        return (
+            super().untested
+            if stated
+            else "the model is not tested, as the noise of the measurement is not stated (noise)"
+        )
+
+    def plot(self) -> Figure:
+        """Draw measured data over the best fit, and the residuals, for each signal."""
+        from hertzwerk.runtime.studies.fitting import plot_fit
+
+        return plot_fit.figure(self)
 
     def _identified(self) -> str:
         values = ", ".join(f"{s:.3g}" for s in self.known.singular_values)
@@ -262,39 +334,25 @@ class Fitted(Estimates):
         """Return the fit as a page of Markdown."""
         first, *rest = self.lines()
         rows = ["| quantity | value | 95 % interval | unit | obtained by |", "|---|---|---|---|---|"]
-        for value in (*self.values.values(), *self.nuisance.values()):
+        for value in self.fitted.values():
             digits = _digits(value.value, value.interval)
             low, high = _ends(value.interval, digits)
             rows.append(
                 f"| {value.name} | {value.value:.{digits}g} | {low} to {high} | {value.unit} | {value.interval.how} |"
             )
-        fitted = {*self.values, *self.nuisance}
-        notes = [f"- {label}: {text}" for label, text in rest if label not in fitted]
+        notes = [f"- {label}: {text}" for label, text in rest if label not in self.fitted]
         return "\n".join([f"# Fit of {first[1]}", "", *rows, "", *notes, "", "![residuals](fit.png)", ""])
 
     def record(self) -> dict[str, Any]:
         """Return everything but the data as plain numbers, in SI, null for missing ones."""
         return {
-            "scene": self.scene,
+            **super().record(),
             "runs": [each.name for each in self.observed],
-            "values": {name: asdict(value) for name, value in self.values.items()},
             "nuisance": {name: asdict(value) for name, value in self.nuisance.items()},
-            "level": LEVEL,
-            "names": [free.name for free in self.known.free],
-            "correlation": self.known.correlation.tolist(),
-            "singular_values": self.known.singular_values.tolist(),
-            "directions": self.known.directions.T.tolist(),
-            "unidentified": list(self.unidentified),
-            "goodness": self.goodness and asdict(self.goodness),
-            "explained": self.explained,
             "criterion": self.criterion,
-            "distribution": None if self.unidentified else self.distribution().record(),
             "share": self.share,
             "signals": [_record(signal) for signal in self.signals],
-            "runs_made": self.runs_made,
             "derivatives": self.derivatives,
-            "verdict": self.verdict,
-            "warnings": list(self.warnings),
         }
 
 

@@ -25,7 +25,7 @@ from hertzwerk.runtime.engine.run.run_request import Compiled, Settings
 from hertzwerk.runtime.studies.comparison.comparison_request import Between, read_between
 from hertzwerk.runtime.studies.comparison.residuals import residual_of
 from hertzwerk.runtime.studies.fitting.experiment import Observed, read_experiments
-from hertzwerk.runtime.studies.fitting.fit_result import CORRELATED, Fitted, FittedSignal, FittedValue, Goodness
+from hertzwerk.runtime.studies.fitting.fit_result import CORRELATED, Fit, FittedSignal, FittedValue, Goodness
 from hertzwerk.runtime.studies.fitting.identifiability import identified
 from hertzwerk.runtime.studies.fitting.intervals import intervals
 from hertzwerk.runtime.studies.fitting.least_squares import Estimate, Search
@@ -152,7 +152,7 @@ def read_fit(
     )
 
 
-def fitted(request: FitRequest, progress: Callable[[float], object] | None = None) -> Fitted:
+def fitted(request: FitRequest, progress: Callable[[float], object] | None = None) -> Fit:
     """Return the fit of a request; raises InputError for what enters nothing measured."""
     return concluded(request, *searched(request, progress))
 
@@ -193,7 +193,7 @@ def _refuse_idle(search: Search, request: FitRequest) -> None:
     )
 
 
-def concluded(request: FitRequest, search: Search, estimate: Estimate) -> Fitted:
+def concluded(request: FitRequest, search: Search, estimate: Estimate) -> Fit:
     """Return the fit with its identifiability, intervals, goodness and residuals."""
     share = float(np.mean(estimate.used))
     forward = search.forward
@@ -209,7 +209,7 @@ def concluded(request: FitRequest, search: Search, estimate: Estimate) -> Fitted
     signals = tuple(_signals(search, estimate))
     exact = "exact, from the variational equations through every impact"
     reasons = "; ".join(sorted(forward.without_exact)[:3])
-    return Fitted(
+    return Fit(
         scene=request.observed[0].model.name,
         observed=request.observed,
         values={value.name: value for value in values[:count]},

@@ -22,7 +22,7 @@ from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.derive.common.plain_table import heading, table
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.loading import engine_model
-from hertzwerk.runtime.studies.fitting.fit_result import Fitted
+from hertzwerk.runtime.studies.fitting.fit_result import Fit
 from hertzwerk.runtime.studies.fitting.fitting import (
     FitRequest,
     concluded,
@@ -115,7 +115,7 @@ class RankedLaw:
     """Law with its fit: criterion, less that of the best, Akaike's weight, log-densities held out."""
 
     name: str
-    fitted: Fitted
+    fitted: Fit
     criterion: float
     difference: float
     weight: float

@@ -1,4 +1,4 @@
-"""Fit of parameters to measurements, as users call it, with its picture."""
+"""Fit of parameters to measurements, as users call it."""
 
 from __future__ import annotations
 
@@ -13,38 +13,17 @@ from hertzwerk.runtime.engine.start.start_values import stated_values
 from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.studies.comparison.comparison_request import Between
 from hertzwerk.runtime.studies.fitting.experiment import Data, Experiment
-from hertzwerk.runtime.studies.fitting.fit_result import Fitted
+from hertzwerk.runtime.studies.fitting.fit_result import Fit
 from hertzwerk.runtime.studies.fitting.fitting import fitted, read_fit
 from hertzwerk.runtime.studies.fitting.law_ranking import Ranking, law_variants, ranked, read_laws
 from hertzwerk.runtime.studies.fitting.moments.measured_moments import MeasuredSeries
-from hertzwerk.runtime.studies.fitting.moments.moment_fit import FittedMoments, fitted_moments, read_moment_fit
+from hertzwerk.runtime.studies.fitting.moments.moment_fit import MomentFit, fitted_moments, read_moment_fit
 
 if TYPE_CHECKING:
     from distributed import Client
-    from matplotlib.figure import Figure
 
 TOLERANCE = 1e-9  # local, of the runs of a fit
 STARTS = 16  # beside the model's own values
-
-
-class Fit(Fitted):
-    """Fit of parameters to measured runs, as `fit` returns it, with its picture."""
-
-    def plot(self) -> Figure:
-        """Draw measured data over the best fit, and the residuals, for each signal."""
-        from hertzwerk.runtime.studies.fitting import plot_fit
-
-        return plot_fit.figure(self)
-
-
-class MomentFit(FittedMoments):
-    """Fit of parameters to statistics, as `fit_moments` returns it, with its picture."""
-
-    def plot(self) -> Figure:
-        """Draw fitted statistics beside measured ones, and the objective along each quantity."""
-        from hertzwerk.runtime.studies.fitting.moments import plot_moments
-
-        return plot_moments.figure(self)
 
 
 def fit(
@@ -111,7 +90,7 @@ def fit(
         seed=seed,
         profile=profile,
     )
-    return Fit(**vars(fitted(request, progress)))
+    return fitted(request, progress)
 
 
 def fit_laws(
@@ -203,6 +182,4 @@ def fit_moments(
     several = (series,) if isinstance(series, MeasuredSeries) else series
     if not isinstance(several, list | tuple) or not all(isinstance(one, MeasuredSeries) for one in several):
         raise InputError("fit_moments", [Fault("series", shown(series), "a MeasuredSeries, or a list of them")])
-    return MomentFit(
-        **vars(fitted_moments(read_moment_fit(model, moments, free, how, seed, faults, several), progress))
-    )
+    return fitted_moments(read_moment_fit(model, moments, free, how, seed, faults, several), progress)

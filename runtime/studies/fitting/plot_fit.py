@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import textwrap
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import matplotlib as mpl
@@ -18,7 +17,7 @@ from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from hertzwerk.runtime.studies.fitting.fit_result import Fitted, FittedSignal
+    from hertzwerk.runtime.studies.fitting.fit_result import Fit, FittedSignal
 
 LEFT_OUT = "#b8b0a4"
 MOST = 6  # signals that are drawn
@@ -27,13 +26,7 @@ CHARACTERS = 150  # of a line below the panels
 LISTED = ("fit", "verdict", "unidentified", "warning")  # labels of what is not a fitted quantity that is written below
 
 
-def save(fit: Fitted, path: Path) -> None:
-    """Write the picture."""
-    with mpl.rc_context(STYLE):
-        figure(fit).savefig(path)
-
-
-def figure(fit: Fitted) -> Figure:
+def figure(fit: Fit) -> Figure:
     """Draw measured data over the best fit, and the residuals, for each signal; of many the first six."""
     shown = fit.signals[:MOST]
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM}):
@@ -58,7 +51,7 @@ def figure(fit: Fitted) -> Figure:
     return page
 
 
-def _signal(axis: Axes, signal: FittedSignal, fit: Fitted) -> None:
+def _signal(axis: Axes, signal: FittedSignal, fit: Fit) -> None:
     """Draw measured values over those of the best fit."""
     along = scale_of("1" if signal.by_impacts else "s", signal.at)
     values = scale_of(signal.channel.unit, [signal.measured, signal.predicted])
@@ -94,7 +87,7 @@ def _signal(axis: Axes, signal: FittedSignal, fit: Fitted) -> None:
     legend(axis)
 
 
-def _curve(signal: FittedSignal, fit: Fitted) -> tuple[np.ndarray, np.ndarray]:
+def _curve(signal: FittedSignal, fit: Fit) -> tuple[np.ndarray, np.ndarray]:
     """Return the best fit over measured time [s], between the samples too where its run is there."""
     number = [each.name for each in fit.observed].index(signal.run)
     if len(fit.solutions) != len(fit.observed) or signal.channel.column in {

@@ -10,6 +10,7 @@ import numpy as np
 
 from hertzwerk.derive.common.markup import joined, tag
 from hertzwerk.derive.common.plain_table import heading, table
+from hertzwerk.runtime.system.digests import finite
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -142,13 +143,7 @@ class Minimum:
             "exact": self.exact,
             "checked": self.checked if np.isfinite(self.checked) else None,
             "at_end": list(self.at_end),
-            "constraints": [
-                {
-                    name: value if not isinstance(value, float) or np.isfinite(value) else None
-                    for name, value in {**vars(held), "state": held.state}.items()
-                }
-                for held in self.constraints
-            ],
+            "constraints": [finite({**vars(held), "state": held.state}) for held in self.constraints],
             "trials": [vars(trial) for trial in self.trials],
             "searches": [vars(search) for search in self.searches],
             "notes": list(self.notes),

@@ -38,8 +38,8 @@ class Distribution:
         """Return a phrase: values expected in place of these in SI; "" where they are right."""
         raise NotImplementedError
 
-    def frozen(self, **si: float) -> Any:
-        """Return SciPy's distribution of these values in SI."""
+    def frozen(self, stats: Any, **si: float) -> Any:
+        """Return the distribution of `scipy.stats` with these values in SI."""
         raise NotImplementedError
 
 
@@ -55,10 +55,8 @@ class Normal(Distribution):
         """Return the expected values, or "" if these are sound."""
         return "" if std > 0 else "a standard deviation above zero"
 
-    def frozen(self, mean: float, std: float) -> Any:  # type: ignore[override]
-        """Return SciPy's distribution of these values in SI."""
-        from scipy import stats
-
+    def frozen(self, stats: Any, mean: float, std: float) -> Any:  # type: ignore[override]
+        """Return the distribution of `scipy.stats` with these values in SI."""
         return stats.norm(mean, std)
 
 
@@ -76,10 +74,8 @@ class TruncatedNormal(Distribution):
         """Return the expected values, or "" if these are sound."""
         return "" if std > 0 and low < high else "a standard deviation above zero, and the lower limit first"
 
-    def frozen(self, mean: float, std: float, low: float, high: float) -> Any:  # type: ignore[override]
-        """Return SciPy's distribution of these values in SI."""
-        from scipy import stats
-
+    def frozen(self, stats: Any, mean: float, std: float, low: float, high: float) -> Any:  # type: ignore[override]
+        """Return the distribution of `scipy.stats` with these values in SI."""
         return stats.truncnorm((low - mean) / std, (high - mean) / std, mean, std)
 
 
@@ -95,10 +91,8 @@ class Uniform(Distribution):
         """Return the expected values, or "" if these are sound."""
         return "" if low < high else "the lower value first"
 
-    def frozen(self, low: float, high: float) -> Any:  # type: ignore[override]
-        """Return SciPy's distribution of these values in SI."""
-        from scipy import stats
-
+    def frozen(self, stats: Any, low: float, high: float) -> Any:  # type: ignore[override]
+        """Return the distribution of `scipy.stats` with these values in SI."""
         return stats.uniform(low, high - low)
 
 
@@ -115,10 +109,8 @@ class Triangular(Distribution):
         """Return the expected values, or "" if these are sound."""
         return "" if low <= mode <= high and low < high else "values in the order low, mode, high"
 
-    def frozen(self, low: float, mode: float, high: float) -> Any:  # type: ignore[override]
-        """Return SciPy's distribution of these values in SI."""
-        from scipy import stats
-
+    def frozen(self, stats: Any, low: float, mode: float, high: float) -> Any:  # type: ignore[override]
+        """Return the distribution of `scipy.stats` with these values in SI."""
         return stats.triang((mode - low) / (high - low), low, high - low)
 
 
@@ -138,10 +130,8 @@ class LogNormal(Distribution):
         """Return the expected values, or "" if these are sound."""
         return "" if median > 0 and factor > 1 else "a median above zero, and a factor above 1"
 
-    def frozen(self, median: float, factor: float) -> Any:  # type: ignore[override]
-        """Return SciPy's distribution of these values in SI."""
-        from scipy import stats
-
+    def frozen(self, stats: Any, median: float, factor: float) -> Any:  # type: ignore[override]
+        """Return the distribution of `scipy.stats` with these values in SI."""
         return stats.lognorm(math.log(factor), scale=median)
 
 
@@ -169,12 +159,14 @@ def distribution_of(model: EngineModel, name: str, distribution: object, faults:
         expected = f"a distribution: {', '.join(kinds)}"
         faults.append(Fault(name, shown(distribution), expected))
         return None
+    from scipy import stats  # slow to import
+
     before = len(faults)
     values: dict[str, Value] = {field.name: getattr(distribution, field.name) for field in fields(distribution)}
     si = {part: _si_of(model, name, part, value, distribution, faults) for part, value in values.items()}
     if len(faults) == before and (wrong := distribution.fault(**si)):
         faults.append(Fault(name, shown(distribution), wrong))
-    return None if len(faults) > before else distribution.frozen(**si)
+    return None if len(faults) > before else distribution.frozen(stats, **si)
 
 
 def _si_of(

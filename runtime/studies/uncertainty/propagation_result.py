@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.common.markup import joined, tag
 from hertzwerk.derive.common.plain_table import heading, table
 from hertzwerk.runtime.engine.solution.solution import write
+from hertzwerk.runtime.system.digests import finite
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -155,19 +156,11 @@ class Propagated:
 
     def record(self) -> dict[str, Any]:
         """Return everything but the runs as plain data, nan as None."""
-
-        def plain(value: Any) -> Any:
-            if isinstance(value, Mapping):
-                return {name: plain(part) for name, part in value.items()}
-            if isinstance(value, Index):
-                return plain(vars(value))
-            return None if isinstance(value, float) and not math.isfinite(value) else value
-
         return {
             "scene": self.scene,
             "uncertain": list(self.names),
             "runs": len(self.samples),
-            "outputs": {one.name: plain(vars(one)) for one in self},
+            "outputs": finite({one.name: asdict(one) for one in self}),
             "warnings": list(self.warnings),
             "damage": self.samples.damage,
         }

@@ -15,8 +15,9 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from hertzwerk.runtime.cli import main, run_folder
+from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.build import built_in_scenes
+from hertzwerk.runtime.system import digests
 
 SCENE = """
 from hertzwerk.derive import GROUND, Body, Contact, Gravity, Mechanism, Parameter, Prismatic, Scales, Scene, SphereOnPlane, Start, Y
@@ -445,7 +446,7 @@ def test_a_run_that_cannot_be_written_leaves_nothing_half_done(hertzwerk, monkey
     def fails(*_):
         raise OSError("disk full")
 
-    monkeypatch.setattr(run_folder, "json_text", fails)
+    monkeypatch.setattr(digests, "json_text", fails)
     monkeypatch.setattr("hertzwerk.runtime.Solution.save", fails)
     done = hertzwerk("run", "two_spheres", "--no-plots")
     assert done.exit_code == 1

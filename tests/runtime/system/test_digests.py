@@ -7,8 +7,8 @@ from click.testing import CliRunner
 
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.cli.page_folder import REQUEST, ROWS
-from hertzwerk.runtime.cli.run_folder import record_text
 from hertzwerk.runtime.system import digests
+from hertzwerk.runtime.system.digests import record_text
 
 RECORD = {
     "values": {"restitution": 0.1 + 0.2},

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +33,9 @@ from hertzwerk.runtime.studies.fitting.moments.measured_moments import (
 from hertzwerk.runtime.studies.sweeps.parameter_sweep import sweep
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import chosen
 from hertzwerk.runtime.system.arrays import Array
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 PER_FEATURE = 5  # runs for each coefficient of the regression
 ROUNDS = 3  # most boxes
@@ -70,61 +73,39 @@ class Profile:
 
 
 @dataclass(frozen=True)
-class FittedMoments(Estimates):
-    """Fit of parameters to statistics of long runs."""
+class MomentFit(Estimates):
+    """Fit of parameters to statistics of long runs, as `fit_moments` returns it."""
 
     moments: tuple[Moment, ...]
     profiles: Mapping[str, Profile]
 
-    def __getitem__(self, name: str) -> FittedValue:
-        """Fitted quantity; raises KeyError for an unknown name."""
-        return self.values[name]
+    data: ClassVar[str] = "statistics"
+    judgement: ClassVar[tuple[str, str]] = (
+        "the stated deviations explain what differs",
+        "the stated deviations do not explain what differs",
+    )
 
     @property
-    def verdict(self) -> str:
-        """Say whether the model explains the statistics, and whether they identify its parameters."""
-        if self.goodness is None:
-            text = "as many quantities as statistics are fitted: no degree of freedom is left to test the model"
-        else:
-            g = self.goodness
-            does = "explain" if self.explained else "do not explain"
-            text = f"the stated deviations {does} what differs: chi-squared {g.chi_square:.4g} of {g.freedom} degrees of freedom, p = {g.p_value:.3g}"
-        many = (
-            "a combination of parameters" if len(self.unidentified) == 1 else f"{len(self.unidentified)} combinations"
-        )
-        return f"{text}; {many} cannot be identified" if self.unidentified else text
+    def subject(self) -> str:
+        """Scene, data and number of runs."""
+        return f"{self.scene} to {len(self.moments)} statistics: {self.runs_made:,} runs"
 
-    def lines(self) -> Iterator[tuple[str, str]]:
-        """Yield what was found, as labels and sentences."""
-        yield "fit", f"{self.scene} to {len(self.moments)} statistics: {self.runs_made:,} runs"
-        for value in self.values.values():
-            yield value.name, f"{value}; {value.interval.how}"
-        for text in self.unidentified:
-            yield "unidentified", text
-        for moment in self.moments:
-            yield moment.name, str(moment)
-        yield "verdict", self.verdict
-        for warning in self.warnings:
-            yield "warning", warning
+    def details(self) -> Iterator[tuple[str, str]]:
+        """Yield each statistic, fitted and measured."""
+        return ((moment.name, str(moment)) for moment in self.moments)
+
+    def plot(self) -> Figure:
+        """Draw fitted statistics beside measured ones, and the objective along each quantity."""
+        from hertzwerk.runtime.studies.fitting.moments import plot_moments
+
+        return plot_moments.figure(self)
 
     def record(self) -> dict[str, Any]:
         """Return everything as plain numbers, in SI."""
         return {
-            "scene": self.scene,
-            "values": {name: asdict(value) for name, value in self.values.items()},
-            "level": LEVEL,
+            **super().record(),
             "moments": [asdict(moment) for moment in self.moments],
-            "singular_values": self.known.singular_values.tolist(),
-            "directions": self.known.directions.T.tolist(),
-            "correlation": self.known.correlation.tolist(),
-            "distribution": None if self.unidentified else self.distribution().record(),
-            "unidentified": list(self.unidentified),
-            "goodness": self.goodness and asdict(self.goodness),
-            "explained": self.explained,
-            "verdict": self.verdict,
-            "runs_made": self.runs_made,
             "profiles": {name: {k: v.tolist() for k, v in vars(one).items()} for name, one in self.profiles.items()},
-            "warnings": list(self.warnings),
         }
 
 
@@ -237,7 +218,7 @@ def _pair(entry: object) -> tuple[Value, Value] | None:
     return entry if isinstance(entry, tuple) and len(entry) == 2 else None
 
 
-def fitted_moments(request: MomentFitRequest, progress: Callable[[float], object] | None = None) -> FittedMoments:
+def fitted_moments(request: MomentFitRequest, progress: Callable[[float], object] | None = None) -> MomentFit:
     """Return the fit of moments; raises InputError where too few runs finish."""
     free, count = request.free, len(request.free)
     full = np.array([each.bounds for each in free])
@@ -387,7 +368,7 @@ def _concluded(
     jacobian: Array,
     made: int,
     full: Array,
-) -> FittedMoments:
+) -> MomentFit:
     from scipy.stats import chi2, norm  # slow to import
 
     root = np.linalg.cholesky(covariance)
@@ -433,7 +414,7 @@ def _concluded(
     ]
     warnings += [f"{value.name} lies at an end of its range" for value in values.values() if value.at_end(value.value)]
     unidentified = known.unidentified([value.value for value in values.values()], len(values))
-    return FittedMoments(
+    return MomentFit(
         request.model.name, values, known, tuple(unidentified), goodness, made, tuple(warnings), moments, profiles
     )
 

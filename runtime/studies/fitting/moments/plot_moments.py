@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import textwrap
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
@@ -20,19 +19,13 @@ from hertzwerk.runtime.studies.fitting.intervals import LEVEL
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from hertzwerk.runtime.studies.fitting.moments.moment_fit import FittedMoments, Moment
+    from hertzwerk.runtime.studies.fitting.moments.moment_fit import Moment, MomentFit
 
 CHARACTERS = 140  # of a line below the panels
 REACH = 3.0  # times the interval's rise that is shown
 
 
-def save(fit: FittedMoments, path: Path) -> None:
-    """Write the picture."""
-    with mpl.rc_context(STYLE):
-        figure(fit).savefig(path)
-
-
-def figure(fit: FittedMoments) -> Figure:
+def figure(fit: MomentFit) -> Figure:
     """Draw statistics, less the measured ones over their deviations, and the objective along quantities."""
     rows = math.ceil(len(fit.values) / 2)
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM}):
@@ -79,7 +72,7 @@ def _statistics(axis: Axes, moments: tuple[Moment, ...]) -> None:
     legend(axis)
 
 
-def _objective(axis: Axes, fit: FittedMoments, name: str) -> None:
+def _objective(axis: Axes, fit: MomentFit, name: str) -> None:
     """Draw how the objective rises along a quantity, all else fitted anew, and where its interval ends."""
     value, profile, rise = fit.values[name], fit.profiles[name], QUANTILE**2
     scale = scale_of(value.unit, profile.places)

@@ -13,6 +13,7 @@ import numpy as np
 
 from hertzwerk.runtime.engine.solution.solution import write
 from hertzwerk.runtime.studies.sweeps.rows.row import Row
+from hertzwerk.runtime.system.digests import finite
 
 
 class Arrays:
@@ -98,8 +99,8 @@ class Arrays:
                 {
                     "row": row.index,
                     "outcome": row.outcome,
-                    "values": _nulled({name: row[name] for name in self.varied}),
-                    "arrays": {name: _listed(array) for name, array in self.of(row).items()},
+                    "values": finite({name: row[name] for name in self.varied}),
+                    "arrays": {name: finite(array.tolist()) for name, array in self.of(row).items()},
                 }
                 for row in self._rows
             ],
@@ -107,11 +108,3 @@ class Arrays:
 
 
 NUMBER = 20  # bytes of one in CSV, about
-
-
-def _listed(array: np.ndarray) -> list[float | None]:
-    return [x if np.isfinite(x) else None for x in array.tolist()]
-
-
-def _nulled(values: Mapping[str, float | str]) -> dict[str, float | str | None]:
-    return {name: x if isinstance(x, str) or np.isfinite(x) else None for name, x in values.items()}

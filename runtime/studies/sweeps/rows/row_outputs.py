@@ -9,7 +9,6 @@ import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -25,7 +24,7 @@ from hertzwerk.runtime.engine.sensitivity.output_derivatives import (
     without_derivative,
 )
 from hertzwerk.runtime.engine.solution.averages import OF_IMPACTS, POWERS, Average, Run, averages_by_name
-from hertzwerk.runtime.engine.solution.dense_output import NORMS, Samples
+from hertzwerk.runtime.engine.solution.dense_output import REDUCERS, Samples
 from hertzwerk.runtime.engine.solution.history import units_of
 from hertzwerk.runtime.engine.solution.impacts import Impact
 from hertzwerk.runtime.engine.solution.step_observers import Needs
@@ -124,7 +123,7 @@ def _output_of(model: EngineModel, there: Mapping[str, Output], name: str) -> An
     if DERIVATIVE.fullmatch(name):
         return _derivative(model, there, name)
     history, _, kind = name.rpartition(".")
-    if name in there or kind not in _REDUCERS or history not in units_of(model, None):
+    if name in there or kind not in REDUCERS or history not in units_of(model, None):
         return there.get(name)
     return _reduced(history, units_of(model, None)[history], kind)
 
@@ -198,7 +197,7 @@ def text_behind(model: EngineModel, outputs: Sequence[Output], histories: Sequen
         for output in outputs
         if output.function is None
     )
-    names = [*histories, *(history for history, _, kind in split if kind in _REDUCERS)]
+    names = [*histories, *(history for history, _, kind in split if kind in REDUCERS)]
     own = any(output.function is not None for output in outputs)  # may ask for anything
     return units.text_behind(units.everything if own else names)
 
@@ -232,7 +231,7 @@ def _known(model: EngineModel) -> Iterator[Output]:
     yield from _OF_RUN
     for name, unit in units_of(model, None).items():
         if name != "t":
-            yield from (_reduced(name, unit, kind) for kind in _REDUCERS)
+            yield from (_reduced(name, unit, kind) for kind in REDUCERS)
 
 
 # -- what they are -----------------------------------------------------------------------------------------------------
@@ -309,28 +308,6 @@ def _average(name: str, unit: str, average: str | None = None) -> Output:
     return Output({name: unit, f"{name}.half_width": unit}, needs, of)
 
 
-def _mean(samples: Samples, name: str) -> float:
-    return samples.mean(lambda history: history[name])
-
-
-def _highest(samples: Samples, name: str) -> float:
-    return samples.highest(lambda history: history[name])
-
-
-def _lowest(samples: Samples, name: str) -> float:
-    return -samples.highest(lambda history: -history[name])
-
-
-_REDUCERS: dict[str, Callable[[Samples, str], float]] = {
-    "max": _highest,
-    "min": _lowest,
-    "mean": _mean,
-    "rms": partial(Samples.norm, order=2),
-    "peak_to_peak": lambda samples, name: _highest(samples, name) - _lowest(samples, name),
-    **{kind: partial(Samples.norm, order=order) for kind, order in NORMS.items()},
-}
-
-
 def _reduced(name: str, unit: str, kind: str) -> Output:
-    reducer: Any = _REDUCERS[kind]
+    reducer = REDUCERS[kind]
     return _number(f"{name}.{kind}", unit, Needs.STEPS, lambda measured: reducer(measured.samples, name))
