@@ -208,7 +208,7 @@ def pages(*folders):
     )
 
 
-DECLARATION = pages("howto/model")
+DECLARATION = pages("howto/model", "howto/contact")
 
 
 @each("kind", [kind for kind in DECLARED if kind.__name__ not in INNER])
@@ -217,7 +217,7 @@ def test_every_record_stands_there_with_its_signature(kind):
 
 
 def test_every_public_name_is_explained():
-    text = pages("howto/model", "howto/exchange")
+    text = pages("howto/model", "howto/contact", "howto/exchange")
     assert [name for name in dir(hertzwerk.derive) if not re.search(rf"\b{name}\b", text)] == []
 
 

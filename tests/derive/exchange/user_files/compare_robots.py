@@ -66,8 +66,8 @@ class Theirs:
     def __init__(self, path, robot, base, options):
         root = ElementTree.parse(path).getroot()
         for repair in robot.repairs:
-            if repair.startswith("inertia of "):
-                self._replace_inertia(root, robot, repair.removeprefix("inertia of ").split(",")[0])
+            if repair.startswith("impossible inertia of "):
+                self._replace_inertia(root, robot, repair.removeprefix("impossible inertia of ").split(",")[0])
         with tempfile.NamedTemporaryFile("w", suffix=".urdf") as file:
             file.write(ElementTree.tostring(root, encoding="unicode"))
             file.flush()
