@@ -107,12 +107,16 @@ def _contact_derivatives(model: EngineModel, pair: str) -> Any:
 
     The derivatives are those of the force and of the rates of z; all are 0 unless active.
     """
-    (t, y, m, c), active = model.symbols("t y m c"), ca.SX.sym("active")
+    t, y, m, c = model.symbols("t y m c")
     q, u, z = model.parts(y)
     f, dz, *_ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
     x = ca.vertcat(y, t)
-    results = [masked(active, f), _masked_finite(ca.jacobian(f, x), active), _masked_finite(ca.jacobian(dz, x), active)]
-    return ca.Function("of_contact", [t, y, m, c, active], ca.cse(results))
+    # as in `_motion_derivatives` without a search for common parts, which finds one in nine
+    one = ca.Function("of_pair", [t, y, m, c], [f, ca.jacobian(f, x), ca.jacobian(dz, x)])
+    arguments, active = model.symbols("t y m c", ca.MX), ca.MX.sym("active")
+    force, *derivatives = one(*arguments)
+    finite = [ca.if_else(active * (ca.fabs(each) < SINGULAR), each, 0) for each in derivatives]
+    return ca.Function("of_contact", [*arguments, active], [ca.if_else(active, force, 0), *finite])
 
 
 @per_model
