@@ -282,19 +282,35 @@ def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> np.ndarray:
     return np.minimum(off((low + high) / 2), off(np.zeros(len(apart))))
 
 
+def contacts_of(motion: Motion, until: float) -> list[tuple[float, float, float]]:
+    """Return onset, approach speed and duration of contacts that begin by a time; one that lasts longer counts up to it."""
+    contacts: list[tuple[float, float, float]] = []
+    released = False
+    for t, kind, v0 in motion.events:
+        if t > until:
+            break
+        if kind == "touches":
+            contacts.append((t, v0, until - t))
+        elif contacts and kind in ("released", "opens", "resumes") and not (kind == "opens" and released):
+            begun, speed, _ = contacts[-1]
+            contacts[-1] = begun, speed, (until if kind == "resumes" else t) - begun
+        released = kind == "released"
+    return contacts
+
+
 def error_of_impacts(motion: Motion, found: EngineSolution) -> float:
-    """Return the largest error of onset times, by length over approach speed, and of approach speeds, by the scene's.
+    """Return the largest error of onset times and durations, by length over approach speed, and of approach speeds, by the scene's.
 
     Of contacts on which run and truth agree by order; one that only one of them has counts by its approach speed.
     """
-    length, speed = found.engine.scales.scene[:2]
-    true = [(t, v0) for t, kind, v0 in motion.events if kind == "touches" and t <= found.t[-1]]
-    mine = [(impact.t, impact.speed) for impact in found.impacts if impact.t > 0]
+    (length, speed), end = found.engine.scales.scene[:2], found.t[-1]
+    true = contacts_of(motion, end)
+    mine = [(of.t, of.speed, end - of.t if of.duration is None else of.duration) for of in found.impacts if of.t > 0]
     worst = 0.0
     while true or mine:
         if true and mine:
-            (t, v), (u, w) = true[0], mine[0]
-            off = max(max(v, w) / length * abs(t - u), abs(v - w) / speed)
+            (t, v, lasts), (u, w, lasted) = true[0], mine[0]
+            off = max(max(v, w) / length * float(np.maximum(abs(t - u), abs(lasts - lasted))), abs(v - w) / speed)
             if off <= max(v, w) / speed:
                 worst, true, mine = np.maximum(worst, off), true[1:], mine[1:]
                 continue

@@ -50,6 +50,7 @@ STICK = 0.0  # slip of a pair that sticks
 AHEAD = 1000.0
 FAR = 10.0  # of that size: speed from which the slip follows the direction of sliding
 TURNED = 1e-3  # of that size: least that a slip turns by
+ASTRAY = 0.1  # likewise: for which a step is looked at that has no other reason
 GROWTH = 10.0  # from rest, of the sliding speed beside that size: most in a step
 COURSE = 0.25  # of a margin: most that its rates may leave of its change in a step
 HELD = 0.5  # likewise of what sticks: forces d^1 to d^3 leave no more on the whole way to an opening
@@ -349,13 +350,19 @@ def turned(model: EngineModel, m: Any, friction: Any, margin: Any) -> Any:
     """
     m, first, some = ca.SX(m), slips_in(model).start, ca.SX(0)
     for group in directed(model):
-        rows, force = [first + i for i in group], friction[group]
-        size, way = size_of(m[rows]), outward(-force)
-        follows = (size > 0) * (margin[group[0]] > FAR * size) * (ca.sumsqr(force) > 0)
-        follows *= ca.mmax(ca.fabs(size * way - m[rows])) > TURNED * size
-        m[rows] = ca.if_else(follows, size * way, m[rows])
+        rows = [first + i for i in group]
+        follows, way = _follows(m[rows], friction[group], margin[group[0]], TURNED)
+        m[rows] = ca.if_else(follows, way, m[rows])
         some = ca.fmax(some, follows)
     return m, some
+
+
+def _follows(slip: Any, friction: Any, margin: Any, least: float) -> tuple[Any, Any]:
+    """Return whether a slip in two directions turns, by a share of its size, and what it turns to."""
+    size = size_of(slip)
+    way = size * outward(-friction)
+    follows = (size > 0) * (margin > FAR * size) * (ca.sumsqr(friction) > 0)
+    return follows * (ca.mmax(ca.fabs(way - slip)) > least * size), way
 
 
 def undecided_and_breaking(
@@ -433,8 +440,13 @@ def margins_ahead(model: EngineModel, mode: Any, m: Any, end: Parts, time: Any) 
 
 
 def margins_positive(model: EngineModel, mode: Any, start: Parts, end: Parts) -> Any:
-    """Return 1 if no margin comes near zero in a step."""
-    touches, clear = touching(model, mode), ca.SX(1)
+    """Return 1 if no margin comes near zero in a step, and no slip in two directions has turned far.
+
+    Near rest, where none follows, friction is as far off as the slip's direction is.
+    """
+    touches, clear, slips = touching(model, mode), ca.SX(1), start["m"][slips_in(model)]
+    for group in directed(model):
+        clear *= 1 - _follows(slips[group], end["friction"][group], end["margin"][group[0]], ASTRAY)[0]
     for coefficient in margins(start, end):
         clear *= ca.mmin(ca.if_else(touches, coefficient > 0, 1))
     return clear
