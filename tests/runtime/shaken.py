@@ -9,6 +9,16 @@ import hertzwerk.derive as hd
 from hertzwerk.runtime.loading import engine_model
 
 MASS, STIFFNESS, DAMPING = 2.0, 50.0, 0.7
+PUSHED = """
+from hertzwerk.derive import GROUND, Body, EnergyLedger, Input, JointForce, JointSpring, Mechanism, Parameter, Prismatic, Scales, Scene, X
+
+block = Body("block", Parameter("mass", "kg", 2))
+scene = Scene(
+    Mechanism("pushed", (Prismatic("slide", GROUND, block, axis=X),)),
+    (JointSpring("spring", "slide", Parameter("stiffness", "N/m", 50)), JointForce("motor", "slide", Input("push", "N")), EnergyLedger()),
+    Scales(Parameter("size", "cm", 10), Parameter("pace", "m/s", 1)),
+)
+"""
 
 
 @cache

@@ -5,31 +5,7 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Contact,
-    CornerOnFace,
-    CylinderOnPlane,
-    EnergyLedger,
-    Free,
-    Friction,
-    Gravity,
-    Mechanism,
-    Parameter,
-    PinInBush,
-    Planar,
-    Prismatic,
-    Revolute,
-    RimOnPlane,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import flores, power, smooth_coulomb
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.output.plots.curves import Curves
@@ -178,20 +154,20 @@ def test_the_first_contact_of_the_ball_is_where_an_independent_integration_finds
 
 # -- pairs in motion ---------------------------------------------------------------------------------------------------
 
-SIZE, PACE, MASS = Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1), Parameter("mass", "kg", 0.5)
-STIFF = power(Parameter("K", "N/m^1.5", 1e7), sp.Rational(3, 2))
-BLOCK = Body("block", MASS, Parameter("inertia", "kg m^2", 0.01))
-FALL = Gravity("gravity", Parameter("gravity", "m/s^2", G), -Y)
-HERE, THERE = BLOCK.at(0, 0, 0), GROUND.at(0, 0, 0)
+SIZE, PACE, MASS = hd.Parameter("size", "m", 0.1), hd.Parameter("pace", "m/s", 1), hd.Parameter("mass", "kg", 0.5)
+STIFF = power(hd.Parameter("K", "N/m^1.5", 1e7), sp.Rational(3, 2))
+BLOCK = hd.Body("block", MASS, hd.Parameter("inertia", "kg m^2", 0.01))
+FALL = hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", G), -hd.Y)
+HERE, THERE = BLOCK.at(0, 0, 0), hd.GROUND.at(0, 0, 0)
 
 
 def moving(pair, *effects, joint=None, **start):
     """A body and one pair; its start as x=0.1, x_speed=2.0 in SI."""
-    joint = joint or Planar("float", GROUND, BLOCK)
-    scales = Scales(length=Parameter("deep", "m", 1e-5), speed=PACE, arm=SIZE)
-    effects = effects or (FALL, Contact("touch", STIFF))
+    joint = joint or hd.Planar("float", hd.GROUND, BLOCK)
+    scales = hd.Scales(length=hd.Parameter("deep", "m", 1e-5), speed=PACE, arm=SIZE)
+    effects = effects or (FALL, hd.Contact("touch", STIFF))
     units = {"speed": "m/s", "angle_speed": "rad/s"}
-    model = load(Scene(Mechanism("moving", (joint,), (pair,)), (*effects, EnergyLedger()), scales))
+    model = load(hd.Scene(hd.Mechanism("moving", (joint,), (pair,)), (*effects, hd.EnergyLedger()), scales))
     initial = {
         f"float.{name}": (value, units.get(name, "m/s" if name.endswith("speed") else "m"))
         for name, value in start.items()
@@ -199,7 +175,7 @@ def moving(pair, *effects, joint=None, **start):
     return lambda duration, tolerance=1e-9: simulate(model, duration=duration, tolerance=tolerance, initial=initial)
 
 
-FACE = CornerOnFace("touch", HERE, THERE, Y, X, Parameter("length", "m", 0.2))
+FACE = hd.CornerOnFace("touch", HERE, THERE, hd.Y, hd.X, hd.Parameter("length", "m", 0.2))
 
 
 def test_a_corner_that_slides_off_its_face_falls_past_the_solid():
@@ -214,7 +190,7 @@ def test_a_corner_that_slides_off_its_face_falls_past_the_solid():
 
 
 def test_a_corner_from_beyond_the_end_meets_the_end_of_the_solid_and_none_passes_over_it():
-    effects = (Contact("touch", STIFF),)
+    effects = (hd.Contact("touch", STIFF),)
     run = moving(FACE, *effects, x=0.2, y=-0.05, x_speed=-1.0)(0.2)
     assert [impact.contact for impact in run.impacts] == ["touch"]
     assert run.impacts[0].t == pytest.approx(0.1, rel=1e-9)
@@ -226,12 +202,18 @@ def test_a_corner_from_beyond_the_end_meets_the_end_of_the_solid_and_none_passes
 
 def test_a_cylinder_set_down_sliding_ends_rolling_at_two_thirds_of_its_speed():
     """Angular momentum about the line of contact is conserved, whatever the friction: R m v = (1/2 + 1) m R v'."""
-    radius = Parameter("radius", "m", 0.1)
-    roller = Body("roller", MASS, MASS * radius**2 / 2)
-    pair = CylinderOnPlane("touch", roller.at(0, 0, 0), Z, radius, Parameter("length", "m", 0.3), THERE, Y)
-    rub = Friction("rub", "touch", smooth_coulomb(Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 1e-3)))
+    radius = hd.Parameter("radius", "m", 0.1)
+    roller = hd.Body("roller", MASS, MASS * radius**2 / 2)
+    pair = hd.CylinderOnPlane("touch", roller.at(0, 0, 0), hd.Z, radius, hd.Parameter("length", "m", 0.3), THERE, hd.Y)
+    rub = hd.Friction("rub", "touch", smooth_coulomb(hd.Parameter("mu", "1", 0.2), hd.Parameter("v_s", "m/s", 1e-3)))
     run = moving(
-        pair, FALL, Contact("touch", STIFF), rub, joint=Planar("float", GROUND, roller), y=0.1 - REST, x_speed=1.5
+        pair,
+        FALL,
+        hd.Contact("touch", STIFF),
+        rub,
+        joint=hd.Planar("float", hd.GROUND, roller),
+        y=0.1 - REST,
+        x_speed=1.5,
     )(0.6)
     assert run["float.x_speed"][-1] == pytest.approx(1.0, rel=1e-4)
     assert run["float.angle_speed"][-1] == pytest.approx(-10.0, rel=1e-3)
@@ -241,15 +223,20 @@ def test_a_cylinder_set_down_sliding_ends_rolling_at_two_thirds_of_its_speed():
 
 
 def test_a_cylinder_free_to_tilt_lies_on_its_two_rims_and_falls_over_onto_one():
-    half, radius = Parameter("half_length", "m", 0.15), Parameter("radius", "m", 0.1)
-    roller = Body("roller", MASS, tuple(Parameter(f"J_{k}", "kg m^2", 0.005) for k in "xyz"))
+    half, radius = hd.Parameter("half_length", "m", 0.15), hd.Parameter("radius", "m", 0.1)
+    roller = hd.Body("roller", MASS, tuple(hd.Parameter(f"J_{k}", "kg m^2", 0.005) for k in "xyz"))
     rims = tuple(
-        RimOnPlane(name, roller.at(0, 0, side * half), Z, radius, THERE, Y) for name, side in (("near", -1), ("far", 1))
+        hd.RimOnPlane(name, roller.at(0, 0, side * half), hd.Z, radius, THERE, hd.Y)
+        for name, side in (("near", -1), ("far", 1))
     )
-    contacts = [Contact(rim.name, STIFF) for rim in rims]
-    scales = Scales(length=Parameter("deep", "m", 1e-5), speed=PACE, arm=SIZE)
+    contacts = [hd.Contact(rim.name, STIFF) for rim in rims]
+    scales = hd.Scales(length=hd.Parameter("deep", "m", 1e-5), speed=PACE, arm=SIZE)
     model = load(
-        Scene(Mechanism("lying", (Free("float", GROUND, roller),), rims), (FALL, *contacts, EnergyLedger()), scales)
+        hd.Scene(
+            hd.Mechanism("lying", (hd.Free("float", hd.GROUND, roller),), rims),
+            (FALL, *contacts, hd.EnergyLedger()),
+            scales,
+        )
     )
     deep = (M * G / 2 / K) ** (2 / 3)
     still = simulate(model, duration=0.05, initial={"float.y": (0.1 - deep, "m")}, tolerance=1e-6)
@@ -270,37 +257,40 @@ def test_a_cylinder_free_to_tilt_lies_on_its_two_rims_and_falls_over_onto_one():
 def clearances(count):
     """A driven slider-crank: crank pin and slider pin with clearance, and for three the slider in a guide of two faces and four corners."""
     r, l, c = (
-        Parameter("crank_length", "m", 0.05),
-        Parameter("rod_length", "m", 0.12),
-        Parameter("clearance", "mm", 0.2),
+        hd.Parameter("crank_length", "m", 0.05),
+        hd.Parameter("rod_length", "m", 0.12),
+        hd.Parameter("clearance", "mm", 0.2),
     )
-    w, bush = Parameter("crank_speed", "rad/s", 100), Parameter("bush", "mm", 10)
-    a, b = Parameter("half_length", "m", 0.03), Parameter("half_width", "m", 0.02)
-    crank = Body("crank", Parameter("crank_mass", "kg", 0.3), Parameter("crank_inertia", "kg m^2", 1e-4))
-    rod = Body(
-        "rod", Parameter("rod_mass", "kg", 0.21), Parameter("rod_inertia", "kg m^2", 2.5e-4), centre=(l / 2, 0, 0)
+    w, bush = hd.Parameter("crank_speed", "rad/s", 100), hd.Parameter("bush", "mm", 10)
+    a, b = hd.Parameter("half_length", "m", 0.03), hd.Parameter("half_width", "m", 0.02)
+    crank = hd.Body("crank", hd.Parameter("crank_mass", "kg", 0.3), hd.Parameter("crank_inertia", "kg m^2", 1e-4))
+    rod = hd.Body(
+        "rod", hd.Parameter("rod_mass", "kg", 0.21), hd.Parameter("rod_inertia", "kg m^2", 2.5e-4), centre=(l / 2, 0, 0)
     )
-    slider = Body("slider", Parameter("slider_mass", "kg", 0.14), Parameter("slider_inertia", "kg m^2", 5e-5))
+    slider = hd.Body("slider", hd.Parameter("slider_mass", "kg", 0.14), hd.Parameter("slider_inertia", "kg m^2", 5e-5))
     pins = (
-        PinInBush("crank_pin", rod.at(0, 0, 0), crank.at(r, 0, 0), Z, bush, c),
-        PinInBush("slider_pin", rod.at(l, 0, 0), slider.at(0, 0, 0), Z, bush, c),
+        hd.PinInBush("crank_pin", rod.at(0, 0, 0), crank.at(r, 0, 0), hd.Z, bush, c),
+        hd.PinInBush("slider_pin", rod.at(l, 0, 0), slider.at(0, 0, 0), hd.Z, bush, c),
     )
     corners = tuple(
-        CornerOnFace(
-            f"corner_{end}_{side}", slider.at(i * a, j * b, 0), GROUND.at(l, j * (b + c), 0), -Y if j > 0 else Y, X, Parameter("guide", "m", 0.4)
+        hd.CornerOnFace(
+            f"corner_{end}_{side}", slider.at(i * a, j * b, 0), hd.GROUND.at(l, j * (b + c), 0), -hd.Y if j > 0 else hd.Y, hd.X,
+            hd.Parameter("guide", "m", 0.4)
         )
         for i, end in ((-1, "rear"), (1, "front")) for j, side in ((-1, "lower"), (1, "upper"))
     )  # fmt: skip
     pairs = pins if count == 2 else (*pins, *corners)
-    guide = Prismatic("guide", GROUND, slider, axis=X) if count == 2 else Planar("guide", GROUND, slider)
+    guide = hd.Prismatic("guide", hd.GROUND, slider, axis=hd.X) if count == 2 else hd.Planar("guide", hd.GROUND, slider)
     along = "guide" if count == 2 else "guide.x"
-    law = flores(Parameter("restitution", "1", 0.8))
-    contacts = [Contact(pair.name, power(Parameter("K", "N/m^1.5", 1e9), sp.Rational(3, 2)), law) for pair in pairs]
-    return Scene(
-        Mechanism("several", (Revolute("main_bearing", GROUND, crank, axis=Z), Planar("rod", GROUND, rod), guide), pairs),
-        (ConstantSpeed("crank_drive", "main_bearing", w), FALL, *contacts, EnergyLedger()),
-        Scales(length=c, speed=r * w, arm=l),
-        Start(position={"rod.x": r, along: r + l}, speed={"rod.y_speed": r * w, "rod.angle_speed": -r * w / l}),
+    law = flores(hd.Parameter("restitution", "1", 0.8))
+    contacts = [
+        hd.Contact(pair.name, power(hd.Parameter("K", "N/m^1.5", 1e9), sp.Rational(3, 2)), law) for pair in pairs
+    ]
+    return hd.Scene(
+        hd.Mechanism("several", (hd.Revolute("main_bearing", hd.GROUND, crank, axis=hd.Z), hd.Planar("rod", hd.GROUND, rod), guide), pairs),
+        (hd.ConstantSpeed("crank_drive", "main_bearing", w), FALL, *contacts, hd.EnergyLedger()),
+        hd.Scales(length=c, speed=r * w, arm=l),
+        hd.Start(position={"rod.x": r, along: r + l}, speed={"rod.y_speed": r * w, "rod.angle_speed": -r * w / l}),
     )  # fmt: skip
 
 
@@ -330,18 +320,18 @@ def test_several_clearances_in_one_mechanism(count):
 def test_a_pin_sinks_into_its_bush_by_the_energy_of_its_speed():
     """m v^2/2 = K d^2.5/2.5, so deep beside the clearance that the event function of a journal is no distance."""
     mass, speed, stiffness, clearance = 0.3, 2.0, 3.3e10, 1e-4
-    pin = Body("pin", Parameter("mass", "kg", mass))
-    room, bush = Parameter("clearance", "m", clearance), Parameter("bush_radius", "m", 0.01)
-    pace = Parameter("pace", "m/s", speed)
-    scene = Scene(
-        Mechanism(
+    pin = hd.Body("pin", hd.Parameter("mass", "kg", mass))
+    room, bush = hd.Parameter("clearance", "m", clearance), hd.Parameter("bush_radius", "m", 0.01)
+    pace = hd.Parameter("pace", "m/s", speed)
+    scene = hd.Scene(
+        hd.Mechanism(
             "shot",
-            (Prismatic("across", GROUND, pin, axis=X),),
-            (PinInBush("joint", pin.at(0, 0, 0), GROUND.at(0, 0, 0), Z, bush, room),),
+            (hd.Prismatic("across", hd.GROUND, pin, axis=hd.X),),
+            (hd.PinInBush("joint", pin.at(0, 0, 0), hd.GROUND.at(0, 0, 0), hd.Z, bush, room),),
         ),
-        (Contact("joint", power(Parameter("stiffness", "N/m^1.5", stiffness), 1.5)), EnergyLedger()),
-        Scales(room, pace),
-        Start(speed={"across": pace}),
+        (hd.Contact("joint", power(hd.Parameter("stiffness", "N/m^1.5", stiffness), 1.5)), hd.EnergyLedger()),
+        hd.Scales(room, pace),
+        hd.Start(speed={"across": pace}),
     )
     run = simulate(load(scene), duration="0.3 ms", tolerance=1e-9, compiled=False)
     depth = (1.25 * mass * speed**2 / stiffness) ** 0.4

@@ -11,37 +11,7 @@ import sympy as sp
 from derived import Derived
 from kane import complex_step, driven, random_tree
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    BodyTorque,
-    Cylindrical,
-    Drive,
-    EnergyLedger,
-    Free,
-    Gravity,
-    Harmonic,
-    InputError,
-    JointDamper,
-    JointForce,
-    JointFriction,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    PointDamper,
-    PointForce,
-    PointSpring,
-    Potential,
-    Ramp,
-    Scales,
-    Scene,
-    Spherical,
-    T,
-    Y,
-    Z,
-    coordinate_of,
-    speed_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import brown_mcphee, smooth_coulomb
 
 TREE = random_tree("R+Z P+X R-Y", 5, gravity=0)
@@ -49,26 +19,26 @@ ONE, TWO, GROUNDED = (0.3, -0.2, 0.1), (-0.15, 0.25, 0.4), (1.5, 0.7, -0.6)
 
 
 def place(name, values):
-    return tuple(Parameter(f"{name}{k}", "m", value) for k, value in zip("xyz", values, strict=True))
+    return tuple(hd.Parameter(f"{name}{k}", "m", value) for k, value in zip("xyz", values, strict=True))
 
 
-STIFFNESS, DAMPING = Parameter("stiffness", "N/m", 40.0), Parameter("damping", "N s/m", 3.0)
-REST = Parameter("rest", "m", 0.6)
-FORCE, RATE = Parameter("F", "N", 7.0), Parameter("rate", "rad/s", 2.0)
-TORQUE = Parameter("torque", "N m", 1.3)
-DRY = smooth_coulomb(Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 0.5))
+STIFFNESS, DAMPING = hd.Parameter("stiffness", "N/m", 40.0), hd.Parameter("damping", "N s/m", 3.0)
+REST = hd.Parameter("rest", "m", 0.6)
+FORCE, RATE = hd.Parameter("F", "N", 7.0), hd.Parameter("rate", "rad/s", 2.0)
+TORQUE = hd.Parameter("torque", "N m", 1.3)
+DRY = smooth_coulomb(hd.Parameter("mu", "1", 0.2), hd.Parameter("v_s", "m/s", 0.5))
 STRIBECK = brown_mcphee(
-    Parameter("mu_k", "1", 0.2),
-    Parameter("mu_s", "1", 0.3),
-    Parameter("v_S", "m/s", 0.2),
-    Parameter("c_v", "N s/m", 0.1),
-    Parameter("N_t", "N", 5),
+    hd.Parameter("mu_k", "1", 0.2),
+    hd.Parameter("mu_s", "1", 0.3),
+    hd.Parameter("v_S", "m/s", 0.2),
+    hd.Parameter("c_v", "N s/m", 0.1),
+    hd.Parameter("N_t", "N", 5),
 )
-PRELOAD, RADIUS = Parameter("preload", "N", 30.0), Parameter("radius", "m", 0.05)
+PRELOAD, RADIUS = hd.Parameter("preload", "N", 30.0), hd.Parameter("radius", "m", 0.05)
 
 
 def at(body, where, name):
-    frame = GROUND if body < 0 else TREE.bodies[body]
+    frame = hd.GROUND if body < 0 else TREE.bodies[body]
     return frame.at(*place(name, where))
 
 
@@ -144,71 +114,73 @@ def stribeck(n, s):
 
 
 ENDS = (at(0, ONE, "one"), at(2, TWO, "two"))
-MOTOR = TORQUE * sp.sin(RATE * T) - Parameter("drag", "N m s", 0.4) * speed_of("joint0") * sp.cos(
-    coordinate_of("joint2")
+MOTOR = TORQUE * sp.sin(RATE * hd.T) - hd.Parameter("drag", "N m s", 0.4) * hd.speed_of("joint0") * sp.cos(
+    hd.coordinate_of("joint2")
 )
-BOWL = STIFFNESS * coordinate_of("joint1") ** 2 / 2 + TORQUE * sp.cos(coordinate_of("joint0")) * coordinate_of("joint2")
+BOWL = STIFFNESS * hd.coordinate_of("joint1") ** 2 / 2 + TORQUE * sp.cos(hd.coordinate_of("joint0")) * hd.coordinate_of(
+    "joint2"
+)
 CASES = {
     "joint spring": Case(
-        JointSpring("x", "joint1", STIFFNESS, REST), lambda t, q, u: unit(1, -40 * (q[1] - 0.6)), lambda t, q, u: 20 * (q[1] - 0.6) ** 2
+        hd.JointSpring("x", "joint1", STIFFNESS, REST), lambda t, q, u: unit(1, -40 * (q[1] - 0.6)), lambda t, q, u: 20 * (q[1] - 0.6) ** 2
     ),
     "torsional spring": Case(
-        JointSpring("x", "joint2", TORQUE), lambda t, q, u: unit(2, -1.3 * q[2]), lambda t, q, u: 0.65 * q[2] ** 2
+        hd.JointSpring("x", "joint2", TORQUE), lambda t, q, u: unit(2, -1.3 * q[2]), lambda t, q, u: 0.65 * q[2] ** 2
     ),
     "joint damper": Case(
-        JointDamper("x", "joint0", Parameter("c0", "N m s/rad", 0.7)), lambda t, q, u: unit(0, -0.7 * u[0]),
+        hd.JointDamper("x", "joint0", hd.Parameter("c0", "N m s/rad", 0.7)), lambda t, q, u: unit(0, -0.7 * u[0]),
         dissipated=lambda t, q, u: 0.7 * u[0] ** 2
     ),
     "spring between points": Case(
-        PointSpring("x", *ENDS, STIFFNESS, REST),
+        hd.PointSpring("x", *ENDS, STIFFNESS, REST),
         lambda t, q, u: pulled(40 * (1 - 0.6 / np.linalg.norm(between(q, u)[0])), q),
         lambda t, q, u: 20 * (np.linalg.norm(between(q, u)[0]) - 0.6) ** 2,
     ),
     "spring of no rest length": Case(
-        PointSpring("x", *ENDS, STIFFNESS), lambda t, q, u: pulled(40.0, q), lambda t, q, u: 20 * np.sum(between(q, u)[0] ** 2)
+        hd.PointSpring("x", *ENDS, STIFFNESS), lambda t, q, u: pulled(40.0, q), lambda t, q, u: 20 * np.sum(between(q, u)[0] ** 2)
     ),
     "spring to the ground": Case(
-        PointSpring("x", at(2, ONE, "one"), at(-1, GROUNDED, "peg"), STIFFNESS),
+        hd.PointSpring("x", at(2, ONE, "one"), at(-1, GROUNDED, "peg"), STIFFNESS),
         lambda t, q, u: work(2, ONE, 40 * line(q, u)[0], q), lambda t, q, u: 20 * np.sum(line(q, u)[0] ** 2),
     ),
     "damper between points": Case(
-        PointDamper("x", *ENDS, DAMPING),
+        hd.PointDamper("x", *ENDS, DAMPING),
         lambda t, q, u: pulled(3 * (between(q, u)[0] @ between(q, u)[1]) / np.sum(between(q, u)[0] ** 2), q),
         dissipated=lambda t, q, u: 3 * (between(q, u)[0] @ between(q, u)[1]) ** 2 / np.sum(between(q, u)[0] ** 2),
     ),
     "torque of time, coordinates and speeds": Case(
-        JointForce("x", "joint0", MOTOR),
+        hd.JointForce("x", "joint0", MOTOR),
         lambda t, q, u: unit(0, 1.3 * np.sin(2 * t) - 0.4 * u[0] * np.cos(q[2])),
         supplied=lambda t, q, u: u[0] * (1.3 * np.sin(2 * t) - 0.4 * u[0] * np.cos(q[2])),
     ),
     "force on a point": Case(
-        PointForce("x", at(2, ONE, "one"), (FORCE * sp.cos(RATE * T), 0, FORCE)),
+        hd.PointForce("x", at(2, ONE, "one"), (FORCE * sp.cos(RATE * hd.T), 0, FORCE)),
         lambda t, q, u: work(2, ONE, pushed(t), q), supplied=lambda t, q, u: pushed(t) @ velocity(2, ONE, q, u),
     ),
     "force that turns with a body": Case(
-        PointForce("x", at(2, ONE, "one"), (FORCE * sp.cos(RATE * T), 0, FORCE), axes=TREE.bodies[0]),
+        hd.PointForce("x", at(2, ONE, "one"), (FORCE * sp.cos(RATE * hd.T), 0, FORCE), axes=TREE.bodies[0]),
         lambda t, q, u: work(2, ONE, TREE.pose(0, q)[1] @ pushed(t), q),
         supplied=lambda t, q, u: (TREE.pose(0, q)[1] @ pushed(t)) @ velocity(2, ONE, q, u),
     ),
     "torque on a body": Case(
-        BodyTorque("x", TREE.bodies[2], (0, TORQUE, TORQUE * speed_of("joint1") / Parameter("pace", "m/s", 1.0))),
+        hd.BodyTorque("x", TREE.bodies[2], (0, TORQUE, TORQUE * hd.speed_of("joint1") / hd.Parameter("pace", "m/s", 1.0))),
         lambda t, q, u: turned(couple(q, u, False), q), supplied=lambda t, q, u: couple(q, u, False) @ turning(2, q, u),
     ),
     "torque in a body's axes": Case(
-        BodyTorque("x", TREE.bodies[2], (0, TORQUE, TORQUE * speed_of("joint1") / Parameter("pace", "m/s", 1.0)), axes=TREE.bodies[2]),
+        hd.BodyTorque("x", TREE.bodies[2], (0, TORQUE, TORQUE * hd.speed_of("joint1") / hd.Parameter("pace", "m/s", 1.0)), axes=TREE.bodies[2]),
         lambda t, q, u: turned(couple(q, u, True), q), supplied=lambda t, q, u: couple(q, u, True) @ turning(2, q, u),
     ),
     "potential": Case(
-        Potential("x", BOWL),
+        hd.Potential("x", BOWL),
         lambda t, q, u: np.array([1.3 * np.sin(q[0]) * q[2], -40 * q[1], -1.3 * np.cos(q[0])]),
         lambda t, q, u: 20 * q[1] ** 2 + 1.3 * np.cos(q[0]) * q[2],
     ),
     "friction of a journal": Case(
-        JointFriction("x", "joint0", DRY, PRELOAD, RADIUS),
+        hd.JointFriction("x", "joint0", DRY, PRELOAD, RADIUS),
         lambda t, q, u: unit(0, -0.05 * 6 * np.tanh(0.05 * u[0] / 0.5)), dissipated=lambda t, q, u: 0.05 * u[0] * 6 * np.tanh(0.05 * u[0] / 0.5),
     ),
     "friction of a slide under a varying load": Case(
-        JointFriction("x", "joint1", STRIBECK, PRELOAD + FORCE * sp.sin(RATE * T)),
+        hd.JointFriction("x", "joint1", STRIBECK, PRELOAD + FORCE * sp.sin(RATE * hd.T)),
         lambda t, q, u: unit(1, -stribeck(30 + 7 * np.sin(2 * t), u[1])), dissipated=lambda t, q, u: u[1] * stribeck(30 + 7 * np.sin(2 * t), u[1]),
     ),
 }  # fmt: skip
@@ -249,7 +221,7 @@ def test_the_comparison_has_teeth():
     t, q, u = next(states(TREE))
     right = derived_of("spring between points").call("applied", t=t, q=q, u=u)
     assert np.max(np.abs(right + CASES["spring between points"].forces(t, q, u))) > 1
-    moved = Derived(TREE.scene(PointSpring("x", ENDS[0], at(2, ONE, "three"), STIFFNESS, REST)))
+    moved = Derived(TREE.scene(hd.PointSpring("x", ENDS[0], at(2, ONE, "three"), STIFFNESS, REST)))
     assert np.max(np.abs(moved.call("applied", t=t, q=q, u=u) - right)) > 1e-3
 
 
@@ -275,12 +247,12 @@ def imbalance(derived, t, q, u):
 # -- drives ------------------------------------------------------------------------------------------------------------
 
 AMPLITUDE, PHASE, MEAN = (
-    Parameter("amplitude", "rad", 0.4),
-    Parameter("phase", "rad", 0.3),
-    Parameter("mean", "rad", 0.2),
+    hd.Parameter("amplitude", "rad", 0.4),
+    hd.Parameter("phase", "rad", 0.3),
+    hd.Parameter("mean", "rad", 0.2),
 )
-SPEED, RISE = Parameter("speed", "rad/s", 2.5), Parameter("rise", "s", 0.8)
-SPIN = SPEED * (1 + sp.cos(RATE * T) / 2)
+SPEED, RISE = hd.Parameter("speed", "rad/s", 2.5), hd.Parameter("rise", "s", 0.8)
+SPIN = SPEED * (1 + sp.cos(RATE * hd.T) / 2)
 
 
 def smooth(s):
@@ -294,26 +266,26 @@ def risen(t, way):
 
 
 DRIVES = {  # drive, then (position, speed, acceleration) by hand of t and the coordinates the drive integrates
-    "ramp": (Ramp("drive", "joint", SPEED, RISE), lambda t, _: risen(t, smooth)),
-    "straight ramp": (Ramp("drive", "joint", SPEED, RISE, 0), lambda t, _: risen(t, lambda s: (s**2 / 2, s, 1))),
+    "ramp": (hd.Ramp("drive", "joint", SPEED, RISE), lambda t, _: risen(t, smooth)),
+    "straight ramp": (hd.Ramp("drive", "joint", SPEED, RISE, 0), lambda t, _: risen(t, lambda s: (s**2 / 2, s, 1))),
     "harmonic": (
-        Harmonic("drive", "joint", AMPLITUDE, RATE, PHASE, MEAN),
+        hd.Harmonic("drive", "joint", AMPLITUDE, RATE, PHASE, MEAN),
         lambda t, _: (0.2 + 0.4 * np.sin(2 * t + 0.3), 0.8 * np.cos(2 * t + 0.3), -1.6 * np.sin(2 * t + 0.3)),
     ),
     "position": (
-        Drive("drive", "joint", position=AMPLITUDE * sp.exp(-RATE * T)),
+        hd.Drive("drive", "joint", position=AMPLITUDE * sp.exp(-RATE * hd.T)),
         lambda t, _: (0.4 * np.exp(-2 * t), -0.8 * np.exp(-2 * t), 1.6 * np.exp(-2 * t)),
     ),
     "choice": (
-        Drive("drive", "joint", position=sp.Piecewise((AMPLITUDE * (RATE * T) ** 3, T < RISE / 2), (AMPLITUDE, True))),
+        hd.Drive("drive", "joint", position=sp.Piecewise((AMPLITUDE * (RATE * hd.T) ** 3, hd.T < RISE / 2), (AMPLITUDE, True))),
         lambda t, _: (3.2 * t**3, 9.6 * t**2, 19.2 * t) if t < 0.4 else (0.4, 0, 0),
     ),
     "speed": (
-        Drive("drive", "joint", speed=SPIN, start=MEAN),
+        hd.Drive("drive", "joint", speed=SPIN, start=MEAN),
         lambda t, z: (z[0], 2.5 * (1 + np.cos(2 * t) / 2), -2.5 * np.sin(2 * t)),
     ),
     "acceleration": (
-        Drive("drive", "joint", acceleration=SPEED * RATE * sp.cos(RATE * T), start=MEAN, start_speed=SPEED),
+        hd.Drive("drive", "joint", acceleration=SPEED * RATE * sp.cos(RATE * hd.T), start=MEAN, start_speed=SPEED),
         lambda t, z: (z[0], z[1], 5 * np.cos(2 * t)),
     ),
 }  # fmt: skip
@@ -383,8 +355,10 @@ def test_springs_and_dampers_are_clean_where_their_ends_meet(rest):
     """Force, power and all their derivatives are numbers; the energy is that of the spring's length, zero."""
     tree = random_tree("P+X P+Y", 3, gravity=0)
     tree = replace(tree, links=tuple(replace(l, on_parent=(0, 0, 0), on_child=(0, 0, 0)) for l in tree.links))
-    ends = (tree.bodies[1].at(0, 0, 0), GROUND.at(0, 0, 0))
-    derived = Derived(tree.scene(PointSpring("spring", *ends, STIFFNESS, rest), PointDamper("damper", *ends, DAMPING)))
+    ends = (tree.bodies[1].at(0, 0, 0), hd.GROUND.at(0, 0, 0))
+    derived = Derived(
+        tree.scene(hd.PointSpring("spring", *ends, STIFFNESS, rest), hd.PointDamper("damper", *ends, DAMPING))
+    )
     options = {"t": 0.0, "q": np.zeros(2), "u": np.array([1.0, 2.0])}
     assert derived.call("applied", **options).tolist() == [0, 0]
     assert derived.call("ledger", **options, reactions=[]).tolist() == [0]
@@ -399,34 +373,36 @@ def test_springs_and_dampers_are_clean_where_their_ends_meet(rest):
 
 def column(*effects):
     """A cylindrical joint from the ground, a spherical one on it, and a free body beside them."""
-    inertia = tuple(Parameter(f"J{k}", "kg m^2", value) for k, value in zip("xyz", (0.2, 0.3, 0.25), strict=True))
+    inertia = tuple(hd.Parameter(f"J{k}", "kg m^2", value) for k, value in zip("xyz", (0.2, 0.3, 0.25), strict=True))
     post, arm, stone = (
-        Body(name, Parameter(f"{name}_mass", "kg", mass), inertia)
+        hd.Body(name, hd.Parameter(f"{name}_mass", "kg", mass), inertia)
         for name, mass in (("post", 2), ("arm", 1), ("stone", 3))
     )
     joints = (
-        Cylindrical("column", GROUND, post, axis=Z),
-        Spherical("shoulder", post.at(*place("s", ONE)), arm.at(*place("h", TWO))),
-        Free("flight", GROUND, stone),
+        hd.Cylindrical("column", hd.GROUND, post, axis=hd.Z),
+        hd.Spherical("shoulder", post.at(*place("s", ONE)), arm.at(*place("h", TWO))),
+        hd.Free("flight", hd.GROUND, stone),
     )
-    size = Parameter("size", "m", 1.0)
-    scales = Scales(length=size, speed=Parameter("pace", "m/s", 1.0), arm=size)
+    size = hd.Parameter("size", "m", 1.0)
+    scales = hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1.0), arm=size)
     made = [effect(post, arm, stone) for effect in effects]
-    gravity = Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y)
-    return Scene(Mechanism("column", joints), (*made, gravity, EnergyLedger()), scales)
+    gravity = hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), -hd.Y)
+    return hd.Scene(hd.Mechanism("column", joints), (*made, gravity, hd.EnergyLedger()), scales)
 
 
 SEVERAL = {
-    "spring of one of two coordinates": lambda *_: JointSpring("x", "column.angle", TORQUE),
-    "damper of the other": lambda *_: JointDamper("x", "column.travel", DAMPING),
-    "drive of one of two": lambda *_: Harmonic("x", "column.angle", AMPLITUDE, RATE),
-    "drive of the other, integrated": lambda *_: Drive("x", "column.travel", speed=REST * RATE * sp.cos(RATE * T)),
-    "potential of both": lambda *_: Potential("x", STIFFNESS * coordinate_of("column.travel") ** 2 * sp.cos(coordinate_of("column.angle"))),
-    "spring between ball and free body": lambda post, arm, stone: PointSpring("x", arm.at(*place("one", ONE)), stone.at(0, 0, 0), STIFFNESS, REST),
-    "damper between ball and free body": lambda post, arm, stone: PointDamper("x", arm.at(*place("one", ONE)), stone.at(*place("two", TWO)), DAMPING),
-    "force on a free body": lambda post, arm, stone: PointForce("x", stone.at(*place("two", TWO)), (FORCE, 0, FORCE * sp.cos(RATE * T)), axes=arm),
-    "torque on a free body": lambda post, arm, stone: BodyTorque("x", stone, (0, TORQUE, TORQUE), axes=stone),
-    "torque on a ball": lambda post, arm, stone: BodyTorque("x", arm, (TORQUE, 0, TORQUE)),
+    "spring of one of two coordinates": lambda *_: hd.JointSpring("x", "column.angle", TORQUE),
+    "damper of the other": lambda *_: hd.JointDamper("x", "column.travel", DAMPING),
+    "drive of one of two": lambda *_: hd.Harmonic("x", "column.angle", AMPLITUDE, RATE),
+    "drive of the other, integrated": lambda *_: hd.Drive("x", "column.travel", speed=REST * RATE * sp.cos(RATE * hd.T)),
+    "potential of both": lambda *_: hd.Potential("x", STIFFNESS * hd.coordinate_of("column.travel") ** 2 * sp.cos(hd.coordinate_of("column.angle"))),
+    "spring between ball and free body": lambda post, arm, stone: hd.PointSpring("x", arm.at(*place("one", ONE)), stone.at(0, 0, 0), STIFFNESS, REST),
+    "damper between ball and free body": lambda post, arm, stone: hd.PointDamper("x", arm.at(*place("one", ONE)), stone.at(*place("two",
+    TWO)), DAMPING),
+    "force on a free body": lambda post, arm, stone: hd.PointForce("x", stone.at(*place("two", TWO)), (FORCE, 0,
+    FORCE * sp.cos(RATE * hd.T)), axes=arm),
+    "torque on a free body": lambda post, arm, stone: hd.BodyTorque("x", stone, (0, TORQUE, TORQUE), axes=stone),
+    "torque on a ball": lambda post, arm, stone: hd.BodyTorque("x", arm, (TORQUE, 0, TORQUE)),
 }  # fmt: skip
 
 
@@ -445,11 +421,11 @@ def test_power_is_balanced_on_joints_of_several_freedoms(label):
 
 def test_a_ball_has_no_single_coordinate():
     for effect in (
-        JointSpring("x", "shoulder", TORQUE),
-        JointDamper("x", "column", DAMPING),
-        Harmonic("x", "flight", AMPLITUDE, RATE),
+        hd.JointSpring("x", "shoulder", TORQUE),
+        hd.JointDamper("x", "column", DAMPING),
+        hd.Harmonic("x", "flight", AMPLITUDE, RATE),
     ):
-        with pytest.raises(InputError) as caught:
+        with pytest.raises(hd.InputError) as caught:
             column(lambda *_, effect=effect: effect)
         assert "which has not just one coordinate" in caught.value.faults[0].found
         assert "column.travel, column.angle" in caught.value.faults[0].expected

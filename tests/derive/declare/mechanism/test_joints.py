@@ -5,32 +5,7 @@ import pytest
 from derived import Derived
 from kane import TURNED, Tree, line, link
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Direction,
-    Drive,
-    EnergyLedger,
-    Free,
-    InputError,
-    Mechanism,
-    Parameter,
-    Planar,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Spherical,
-    Start,
-    T,
-    Table,
-    Universal,
-    Weld,
-    X,
-    Z,
-)
+import hertzwerk.derive as hd
 
 TREES = {
     "cylindrical": line("C-Y"),
@@ -68,16 +43,18 @@ def derived():
 
 # -- against textbooks -------------------------------------------------------------------------------------------------
 
-SIZES = Scales(length=Parameter("size", "m", 1), speed=Parameter("pace", "m/s", 1), arm=Parameter("size", "m", 1))
-MASS = Parameter("mass", "kg", 0.9)
-TRIPLE = tuple(Parameter(f"J_{k}", "kg m^2", value) for k, value in zip("xyz", (0.07, 0.05, 0.03), strict=True))
+SIZES = hd.Scales(
+    length=hd.Parameter("size", "m", 1), speed=hd.Parameter("pace", "m/s", 1), arm=hd.Parameter("size", "m", 1)
+)
+MASS = hd.Parameter("mass", "kg", 0.9)
+TRIPLE = tuple(hd.Parameter(f"J_{k}", "kg m^2", value) for k, value in zip("xyz", (0.07, 0.05, 0.03), strict=True))
 
 
 def test_a_free_body_about_its_mass_centre_costs_eulers_equations_alone():
     """Newton's and Euler's equations do not meet: three divisions, and three gyroscopic moments, each with its division."""
-    body = Body("body", MASS, TRIPLE, (Parameter("s", "m", 0.1), 0, 0))
-    joint = Free("float", GROUND, body.at(Parameter("s", "m", 0.1), 0, 0))
-    found = Derived(Scene(Mechanism("body", (joint,)), (EnergyLedger(),), SIZES))
+    body = hd.Body("body", MASS, TRIPLE, (hd.Parameter("s", "m", 0.1), 0, 0))
+    joint = hd.Free("float", hd.GROUND, body.at(hd.Parameter("s", "m", 0.1), 0, 0))
+    found = Derived(hd.Scene(hd.Mechanism("body", (joint,)), (hd.EnergyLedger(),), SIZES))
     assert dict(found.OPERATIONS)["accelerations"] <= 3 + 3 * 5
     u = np.array([1.0, 2.0, 3.0, 0.4, -0.5, 0.6])
     a, _ = found.call("accelerations", q=[0, 0, 0, 1, 0, 0, 0], u=u, f=np.arange(1.0, 7.0))
@@ -91,14 +68,14 @@ def test_a_free_body_about_its_mass_centre_costs_eulers_equations_alone():
 
 
 def scene(*joints, effects=(), start=None):
-    return Scene(Mechanism("tried", joints), (EnergyLedger(), *effects), SIZES, start or Start())
+    return hd.Scene(hd.Mechanism("tried", joints), (hd.EnergyLedger(), *effects), SIZES, start or hd.Start())
 
 
-BODY, OTHER = Body("body", MASS, TRIPLE), Body("other", MASS, TRIPLE)
+BODY, OTHER = hd.Body("body", MASS, TRIPLE), hd.Body("other", MASS, TRIPLE)
 
 
 def test_names_are_those_of_the_joint_and_its_motions():
-    found = Derived(scene(Free("float", GROUND, BODY), Universal("cross", BODY, OTHER)))
+    found = Derived(scene(hd.Free("float", hd.GROUND, BODY), hd.Universal("cross", BODY, OTHER)))
     coordinates = ["x", "y", "z", "q0", "q1", "q2", "q3"]
     assert [name for name, _ in found.COORDINATES] == [
         *(f"float.{name}" for name in coordinates),
@@ -116,23 +93,26 @@ def test_names_are_those_of_the_joint_and_its_motions():
 
 
 def test_a_start_names_coordinates_and_an_orientation_is_normalised():
-    start = Start(
-        position={"float.x": Parameter("x0", "m", 2.0), "float.q0": 3, "float.q2": 4, "pin": 0.5},
-        speed={"float.angular_speed_z": Parameter("w0", "rad/s", 7.0), "pin.speed": Parameter("w1", "rad/s", 8.0)},
+    start = hd.Start(
+        position={"float.x": hd.Parameter("x0", "m", 2.0), "float.q0": 3, "float.q2": 4, "pin": 0.5},
+        speed={
+            "float.angular_speed_z": hd.Parameter("w0", "rad/s", 7.0),
+            "pin.speed": hd.Parameter("w1", "rad/s", 8.0),
+        },
     )
-    q, u = Derived(scene(Free("float", GROUND, BODY), Revolute("pin", BODY, OTHER, Z), start=start)).start()
+    q, u = Derived(scene(hd.Free("float", hd.GROUND, BODY), hd.Revolute("pin", BODY, OTHER, hd.Z), start=start)).start()
     assert q == pytest.approx([2, 0, 0, 0.6, 0, 0.8, 0, 0.5])
     assert u == pytest.approx([0, 0, 0, 0, 0, 7, 8])
 
 
 def test_welded_bodies_cost_what_one_body_costs():
-    carried = Weld("glue", BODY.at(Parameter("off", "m", 0.3), 0, 0), OTHER)
-    welded, alone = (Derived(scene(Spherical("ball", GROUND, BODY), *more)) for more in ((carried,), ()))
+    carried = hd.Weld("glue", BODY.at(hd.Parameter("off", "m", 0.3), 0, 0), OTHER)
+    welded, alone = (Derived(scene(hd.Spherical("ball", hd.GROUND, BODY), *more)) for more in ((carried,), ()))
     assert dict(welded.OPERATIONS)["accelerations"] >= dict(alone.OPERATIONS)["accelerations"]
-    off = Parameter("off", "m", 0.3)
+    off = hd.Parameter("off", "m", 0.3)
     inertia = tuple(2 * J + extra * MASS * off**2 / 2 for J, extra in zip(TRIPLE, (0, 1, 1), strict=True))
-    whole = Body("whole", 2 * MASS, inertia, (off / 2, 0, 0))
-    one = Derived(scene(Spherical("ball", GROUND, whole)))
+    whole = hd.Body("whole", 2 * MASS, inertia, (off / 2, 0, 0))
+    one = Derived(scene(hd.Spherical("ball", hd.GROUND, whole)))
     assert dict(welded.OPERATIONS)["accelerations"] == dict(one.OPERATIONS)["accelerations"]
     w = np.array([1.0, -2.0, 0.5])
     ours, theirs = (found.call("accelerations", q=[1, 0, 0, 0], u=w, f=np.ones(3))[0] for found in (welded, one))
@@ -141,64 +121,70 @@ def test_welded_bodies_cost_what_one_body_costs():
 
 def test_a_rigid_whole_has_the_inertia_that_its_axis_needs():
     """Of one body or another, or by a mass beside the axis; within a chain what follows may have it."""
-    off, J, right = Parameter("off", "m", 0.3), Parameter("J", "kg m^2", 0.2), Parameter("right", "rad", np.pi / 2)
-    hub, disc = Body("hub", MASS), Body("disc", MASS, (0, 0, J))
-    pin = Revolute("pin", GROUND, hub, Z)
-    swung = Derived(scene(pin, Weld("glue", hub.at(off, 0, 0), Body("tip", MASS))))
+    off, J, right = (
+        hd.Parameter("off", "m", 0.3),
+        hd.Parameter("J", "kg m^2", 0.2),
+        hd.Parameter("right", "rad", np.pi / 2),
+    )
+    hub, disc = hd.Body("hub", MASS), hd.Body("disc", MASS, (0, 0, J))
+    pin = hd.Revolute("pin", hd.GROUND, hub, hd.Z)
+    swung = Derived(scene(pin, hd.Weld("glue", hub.at(off, 0, 0), hd.Body("tip", MASS))))
     assert swung.call("accelerations", q=[0.4], u=[0.0], f=[2.0])[0] == pytest.approx(2 / (0.9 * 0.3**2), rel=1e-14)
-    flat = Derived(scene(pin, Weld("glue", hub, disc)))
+    flat = Derived(scene(pin, hd.Weld("glue", hub, disc)))
     assert flat.call("accelerations", q=[0.4], u=[0.0], f=[2.0])[0] == pytest.approx(2 / 0.2, rel=1e-14)
-    with pytest.raises(InputError, match="body hub: found inertia 0"):
-        scene(pin, Weld("glue", hub.at(0, 0, off).turned(X, right), disc))
-    carried = Derived(scene(pin, Revolute("elbow", hub.at(0, 0, off), BODY, X)))
-    alone = Derived(scene(Universal("cross", GROUND, BODY, Z, X)))
+    with pytest.raises(hd.InputError, match="body hub: found inertia 0"):
+        scene(pin, hd.Weld("glue", hub.at(0, 0, off).turned(hd.X, right), disc))
+    carried = Derived(scene(pin, hd.Revolute("elbow", hub.at(0, 0, off), BODY, hd.X)))
+    alone = Derived(scene(hd.Universal("cross", hd.GROUND, BODY, hd.Z, hd.X)))
     q, u, f = [0.4, 0.7], [1.0, -2.0], [0.3, 0.1]
     actual, expected = (each.call("accelerations", q=q, u=u, f=f)[0] for each in (carried, alone))
     assert actual == pytest.approx(expected, rel=1e-12)
 
 
-POINT = Body("point", MASS, 0, (0, 0, Parameter("l", "m", 1.0)))
+POINT = hd.Body("point", MASS, 0, (0, 0, hd.Parameter("l", "m", 1.0)))
 BAD = {
-    "universal with parallel axes": (lambda: scene(Universal("cross", GROUND, BODY, X, -X)), "joint cross", "parallel", "Revolute"),
-    "direction of length zero": (lambda: scene(Revolute("pin", GROUND, BODY, Direction((0, 0, 0)))), "joint pin, axis", "length 0", "somewhere"),
+    "universal with parallel axes": (lambda: scene(hd.Universal("cross", hd.GROUND, BODY, hd.X, -hd.X)), "joint cross", "parallel", "Revolute"),
+    "direction of length zero": (lambda: scene(hd.Revolute("pin", hd.GROUND, BODY, hd.Direction((0, 0, 0)))), "joint pin, axis",
+    "length 0", "somewhere"),
     "turned about nothing": (
-        lambda: scene(Revolute("pin", GROUND.at(0, 0, 0).turned(Direction((0, 0, 0)), 1), BODY, Z)), "turned point", "length 0", "somewhere",
+        lambda: scene(hd.Revolute("pin", hd.GROUND.at(0, 0, 0).turned(hd.Direction((0, 0, 0)), 1), BODY, hd.Z)), "turned point",
+        "length 0", "somewhere",
     ),
-    "skew normal of a plane": (lambda: scene(Planar("table", GROUND, BODY, Direction((1, 1, 0)))), "joint table", "normal", "turned"),
-    "a ball that carries a point mass": (lambda: scene(Spherical("ball", GROUND, POINT)), "body point", "inertia 0", "every way"),
+    "skew normal of a plane": (lambda: scene(hd.Planar("table", hd.GROUND, BODY, hd.Direction((1, 1, 0)))), "joint table", "normal", "turned"),
+    "a ball that carries a point mass": (lambda: scene(hd.Spherical("ball", hd.GROUND, POINT)), "body point", "inertia 0", "every way"),
     "massless end": (
-        lambda: scene(Revolute("pin", GROUND, BODY, Z), Prismatic("slide", BODY, Body("end", 0), X)),
+        lambda: scene(hd.Revolute("pin", hd.GROUND, BODY, hd.Z), hd.Prismatic("slide", BODY, hd.Body("end", 0), hd.X)),
         "body end, mass", "end of a chain", "(0, inf)",
     ),
     "a ball that carries a slender rod by its end": (
-        lambda: scene(Spherical("ball", GROUND, Body("rod", MASS, (TRIPLE[0], TRIPLE[0], 0), (0, 0, Parameter("l", "m", 1.0))))),
+        lambda: scene(hd.Spherical("ball", hd.GROUND, hd.Body("rod", MASS, (TRIPLE[0], TRIPLE[0], 0), (0, 0, hd.Parameter("l", "m", 1.0))))),
         "body rod", "inertia 0", "every axis",
     ),
     "a pair on one rigid body": (
-        lambda: Scene(
-            Mechanism("tried", (Revolute("pin", GROUND, BODY, Z), Weld("glue", BODY, OTHER)),
-                      (SphereOnPlane("touch", BODY.at(0, 0, 0), Parameter("r", "m", 0.1), OTHER.at(0, 0, 0), Z),)), (), SIZES),
+        lambda: hd.Scene(
+            hd.Mechanism("tried", (hd.Revolute("pin", hd.GROUND, BODY, hd.Z), hd.Weld("glue", BODY, OTHER)),
+                      (hd.SphereOnPlane("touch", BODY.at(0, 0, 0), hd.Parameter("r", "m", 0.1), OTHER.at(0, 0, 0), hd.Z),)), (), SIZES),
         "pair touch", "welded", "move against each other",
     ),
     "drive of a ball": (
-        lambda: scene(Spherical("ball", GROUND, BODY), effects=(ConstantSpeed("drive", "ball", Parameter("w", "rad/s", 1)),)),
+        lambda: scene(hd.Spherical("ball", hd.GROUND, BODY), effects=(hd.ConstantSpeed("drive", "ball", hd.Parameter("w", "rad/s", 1)),)),
         "effect drive", "not just one coordinate", "",
     ),
     "start of a whole joint": (
-        lambda: scene(Spherical("ball", GROUND, BODY), start=Start(position={"ball": 1})), "start", "'ball'", "ball.q0",
+        lambda: scene(hd.Spherical("ball", hd.GROUND, BODY), start=hd.Start(position={"ball": 1})), "start", "'ball'", "ball.q0",
     ),
     "lengths and numbers in one direction": (
-        lambda: scene(Revolute("pin", GROUND, BODY, Direction((Parameter("l", "m", 1.0), 0, 1)))),
+        lambda: scene(hd.Revolute("pin", hd.GROUND, BODY, hd.Direction((hd.Parameter("l", "m", 1.0), 0, 1)))),
         "joint pin, axis", "the bare number 1", "a quantity in m",
     ),
-    "only welds": (lambda: scene(Weld("glue", GROUND, BODY)), "effects", "no joint that can move", "free to move"),
+    "only welds": (lambda: scene(hd.Weld("glue", hd.GROUND, BODY)), "effects", "no joint that can move", "free to move"),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("label", BAD)
 def test_a_bad_joint_is_a_fault_that_says_where_what_and_the_way_out(label):
     declare, where, actual, way_out = BAD[label]
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(hd.InputError) as caught:
         declare()
     faults = [fault for fault in caught.value.faults if where in fault.where]
     assert faults, str(caught.value)
@@ -208,11 +194,13 @@ def test_a_bad_joint_is_a_fault_that_says_where_what_and_the_way_out(label):
 
 
 def test_an_axis_that_points_nowhere_hides_no_other_fault():
-    lift = Table("lift", (0.0, 2.0, 1.0), (0.0, 1.0, 2.0), ("s", "rad"))
-    drive = Drive("drive", "nowhere", position=lift(T))
-    with pytest.raises(InputError) as caught:
+    lift = hd.Table("lift", (0.0, 2.0, 1.0), (0.0, 1.0, 2.0), ("s", "rad"))
+    drive = hd.Drive("drive", "nowhere", position=lift(hd.T))
+    with pytest.raises(hd.InputError) as caught:
         scene(
-            Revolute("pin", GROUND, BODY, Direction((0, 0, 0))), Universal("cross", BODY, OTHER, X, X), effects=(drive,)
+            hd.Revolute("pin", hd.GROUND, BODY, hd.Direction((0, 0, 0))),
+            hd.Universal("cross", BODY, OTHER, hd.X, hd.X),
+            effects=(drive,),
         )
     found = {fault.where: fault for fault in caught.value.faults}
     assert set(found) == {"joint pin, axis", "joint cross", "effect drive", "table lift"}
@@ -220,7 +208,7 @@ def test_an_axis_that_points_nowhere_hides_no_other_fault():
     assert "Sort the rows" in found["table lift"].remedy
 
 
-@pytest.mark.parametrize("joint", [Spherical, Free, Weld])
+@pytest.mark.parametrize("joint", [hd.Spherical, hd.Free, hd.Weld])
 def test_a_joint_takes_no_field_it_does_not_have(joint):
     with pytest.raises(TypeError, match="axis"):
-        joint("hinge", GROUND, Body("rod", Parameter("mass", "kg", 1)), axis=Z)
+        joint("hinge", hd.GROUND, hd.Body("rod", hd.Parameter("mass", "kg", 1)), axis=hd.Z)

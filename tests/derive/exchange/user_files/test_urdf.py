@@ -13,28 +13,16 @@ import pytest
 import sympy as sp
 from scipy.spatial.transform import Rotation
 
-from hertzwerk.derive import (
-    GROUND,
-    Contact,
-    EnergyLedger,
-    Gravity,
-    InputError,
-    Parameter,
-    Scales,
-    SphereOnPlane,
-    Start,
-    Y,
-    Z,
-    from_urdf,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.exchange.user_files.urdf import Robot
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.loading import engine_model
 from reference.robots import NONE, ROBOTS, Row, urdf
 
-SCALES = Scales(length=Parameter("size", "m", 0.1), speed=Parameter("pace", "m/s", 1), arm=Parameter("arm", "m", 0.1))
-GRAVITY = Gravity("gravity", Parameter("g", "m/s^2", 9.81), direction=-Z)
+SCALES = hd.Scales(
+    length=hd.Parameter("size", "m", 0.1), speed=hd.Parameter("pace", "m/s", 1), arm=hd.Parameter("arm", "m", 0.1)
+)
+GRAVITY = hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), direction=-hd.Z)
 
 
 def written(folder: Path, text: str) -> Path:
@@ -45,7 +33,7 @@ def written(folder: Path, text: str) -> Path:
 
 def robot_of(folder: Path, name: str) -> tuple[Robot, list[Row]]:
     rows = ROBOTS[name]()
-    return from_urdf(written(folder, urdf(name, rows)), "floating" if name == "solo" else "fixed"), rows
+    return hd.from_urdf(written(folder, urdf(name, rows)), "floating" if name == "solo" else "fixed"), rows
 
 
 def mass_matrix(model, q, u):
@@ -96,7 +84,7 @@ def state_of(robot: Robot, seed: int):
 def test_mass_matrices_of_public_robots_by_a_second_derivation(tmp_path):
     for name in ROBOTS:
         robot, rows = robot_of(tmp_path, name)
-        model = engine_model(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES))
+        model = engine_model(robot.scene(GRAVITY, hd.EnergyLedger(), scales=SCALES))
         for seed in range(3):
             q, u = state_of(robot, seed)
             expected = textbook_mass_matrix(rows, q, name == "solo")
@@ -109,7 +97,9 @@ def test_mass_matrix_and_accelerations_against_pinocchio(tmp_path, name):
     pin = pytest.importorskip("pinocchio")  # pip install pin
     robot, rows = robot_of(tmp_path, name)
     floating = name == "solo"
-    model = engine_model(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES).without(*(e.name for e in robot.effects)))
+    model = engine_model(
+        robot.scene(GRAVITY, hd.EnergyLedger(), scales=SCALES).without(*(e.name for e in robot.effects))
+    )
     base = [pin.JointModelFreeFlyer()] if floating else []
     theirs = pin.buildModelFromUrdf(str(tmp_path / "robot.urdf"), *base)
     data = theirs.createData()
@@ -156,14 +146,14 @@ def joint(name: str, kind: str, parent: str, child: str, more: str = "") -> str:
 def test_an_inertia_in_turned_axes_is_that_of_the_turned_tensor(tmp_path):
     angles = (0.3, -0.4, 0.5)
     text = robot_with(joint("j", "floating", "base", "a"), links="a", rpy=" ".join(map(str, angles)))
-    body = from_urdf(written(tmp_path, text)).bodies["a"]
+    body = hd.from_urdf(written(tmp_path, text)).bodies["a"]
     R = Rotation.from_euler("xyz", angles).as_matrix()
     expected = R @ [[0.02, 0.001, 0.002], [0.001, 0.03, 0.003], [0.002, 0.003, 0.04]] @ R.T
     actual = np.array([[float(value.default) for value in row] for row in body.tensor])
     assert np.abs(actual - expected).max() < 1e-16
     assert np.abs(actual - R.T @ actual @ R).max() > 1e-3  # turned the other way it would be another
     text = robot_with(joint("j", "continuous", "base", "a", '<origin rpy="0.3 -0.4 0.5"/>'), links="a")
-    axes = from_urdf(written(tmp_path, text)).mechanism.joints[0].parent.axes
+    axes = hd.from_urdf(written(tmp_path, text)).mechanism.joints[0].parent.axes
     turns = {symbol: symbol.si for row in axes for value in row for symbol in sp.sympify(value).free_symbols}
     assert np.abs(np.array(sp.Matrix(axes).xreplace(turns), dtype=float) - R).max() < 1e-15
 
@@ -178,14 +168,14 @@ def test_joints_of_every_type_limits_and_dampers(tmp_path):
         joint("loose-end", "floating", "base", "e"),
         links="abcde",
     )  # fmt: skip
-    robot = from_urdf(written(tmp_path, text))
+    robot = hd.from_urdf(written(tmp_path, text))
     assert [type(j).__name__ for j in robot.mechanism.joints] == ["Revolute", "Prismatic", "Planar", "Weld", "Free"]
     assert robot.mechanism.joints[-1].name == "loose_end"
-    assert robot.mechanism.joints[2].normal == Y
+    assert robot.mechanism.joints[2].normal == hd.Y
     assert (robot.limits["slide"].upper, robot.limits["slide"].effort) == (0.2, 20)
     assert robot.friction == {"turn": 0.1}
     run = simulate(
-        engine_model(robot.scene(EnergyLedger(), scales=SCALES, start=Start({"turn": 0}, {"turn": Parameter("w", "rad/s", 2)}))),
+        engine_model(robot.scene(hd.EnergyLedger(), scales=SCALES, start=hd.Start({"turn": 0}, {"turn": hd.Parameter("w", "rad/s", 2)}))),
         duration="0.3 s", accuracy=1e-8,
     )  # fmt: skip
     assert run.outcome.name == "finished"
@@ -204,21 +194,23 @@ ROD = '<collision><geometry><cylinder radius="0.02" length="0.5"/></geometry></c
 
 def test_solids_have_the_sizes_of_the_file(tmp_path):
     text = robot_with(joint("drop", "prismatic", "base", "a"), links="a", solid=BOX + ROD)
-    box, rod = from_urdf(written(tmp_path, text)).collisions["a"]
+    box, rod = hd.from_urdf(written(tmp_path, text)).collisions["a"]
     assert {what: size.si for what, size in box.sizes.items()} == {"x": 0.1, "y": 0.2, "z": 0.3}
     assert {what: size.si for what, size in rod.sizes.items()} == {"radius": 0.02, "length": 0.5}
 
 
 def test_a_foot_of_the_file_falls_on_a_floor(tmp_path):
     text = robot_with(joint("drop", "prismatic", "base", "a", '<axis xyz="0 0 1"/>'), links="a", solid=FOOT + MESH)
-    robot = from_urdf(written(tmp_path, text))
+    robot = hd.from_urdf(written(tmp_path, text))
     assert robot.left_out == ("meshes, of a: their contact is for pairs of the scene to declare",)
     (foot,) = robot.collisions["a"]
     assert foot.kind == "sphere"
-    floor = SphereOnPlane("floor", foot.at, foot.sizes["radius"], GROUND.at(0, 0, 0), normal=Z)
-    law = laws.power(Parameter("K", "N/m^1.5", 1e8), 1.5)
-    height = Parameter("height", "m", 0.62)  # 0.5 m above contact
-    scene = robot.scene(GRAVITY, Contact("floor", law), pairs=(floor,), scales=SCALES, start=Start({"drop": height}))
+    floor = hd.SphereOnPlane("floor", foot.at, foot.sizes["radius"], hd.GROUND.at(0, 0, 0), normal=hd.Z)
+    law = hd.laws.power(hd.Parameter("K", "N/m^1.5", 1e8), 1.5)
+    height = hd.Parameter("height", "m", 0.62)  # 0.5 m above contact
+    scene = robot.scene(
+        GRAVITY, hd.Contact("floor", law), pairs=(floor,), scales=SCALES, start=hd.Start({"drop": height})
+    )
     run = simulate(engine_model(scene), duration="0.4 s")
     assert run.impacts[0].t == pytest.approx((2 * 0.5 / 9.81) ** 0.5, rel=1e-6)
     assert run.impacts[0].speed == pytest.approx((2 * 0.5 * 9.81) ** 0.5, rel=1e-6)
@@ -226,13 +218,13 @@ def test_a_foot_of_the_file_falls_on_a_floor(tmp_path):
 
 def test_a_floating_base_falls(tmp_path):
     robot, _ = robot_of(tmp_path, "solo")
-    run = simulate(engine_model(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES)), duration="0.2 s")
+    run = simulate(engine_model(robot.scene(GRAVITY, hd.EnergyLedger(), scales=SCALES)), duration="0.2 s")
     assert run["floating_base.z"][-1] == pytest.approx(-9.81 * 0.2**2 / 2, rel=1e-9)
 
 
 def faults_of(folder: Path, text: str, base: str = "fixed") -> str:
-    with pytest.raises(InputError) as caught:
-        from_urdf(written(folder, text), base)
+    with pytest.raises(hd.InputError) as caught:
+        hd.from_urdf(written(folder, text), base)
     return str(caught.value)
 
 
@@ -303,8 +295,8 @@ def test_a_file_that_is_no_robot_is_refused(tmp_path, text, message):
 
 
 def test_a_file_that_is_not_there_and_a_base_that_is_none(tmp_path):
-    with pytest.raises(InputError, match="no such file"):
-        from_urdf(tmp_path / "none.urdf")
+    with pytest.raises(hd.InputError, match="no such file"):
+        hd.from_urdf(tmp_path / "none.urdf")
     assert "expected 'fixed' or 'floating'" in faults_of(tmp_path, robot_with(links=""), base="loose")
 
 
@@ -345,13 +337,13 @@ STRUCTURES: dict[str, tuple[str, list[Row], dict, tuple[str, ...]]] = {
 @pytest.mark.parametrize("name", STRUCTURES)
 def test_repairs_are_listed_and_change_nothing(tmp_path, name):
     title, rows, options, repairs = STRUCTURES[name]
-    robot = from_urdf(written(tmp_path, urdf(title, rows)), **options)
+    robot = hd.from_urdf(written(tmp_path, urdf(title, rows)), **options)
     assert robot.repairs == repairs
     for joint, angle in options.get("locked", {}).items():
         row = next(row for row in rows if row.joint == joint)
         turned = Rotation.from_euler("xyz", row.rpy) * Rotation.from_rotvec(angle * np.array(row.axis))
         rows = [replace(row, kind="fixed", rpy=tuple(turned.as_euler("xyz"))) if each == row else each for each in rows]
-    model = engine_model(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES))
+    model = engine_model(robot.scene(GRAVITY, hd.EnergyLedger(), scales=SCALES))
     q, u = state_of(robot, 1)
     expected = textbook_mass_matrix(rows, q, options.get("base") == "floating")
     assert np.abs(mass_matrix(model, q, u) - expected).max() < 1e-13 * np.abs(expected).max()
@@ -366,7 +358,7 @@ def test_a_joint_locked_at_a_value_takes_those_that_mimic_it_with_it(tmp_path):
         joint("nail", "fixed", "c", "d", '<mimic joint="slide"/>'),
         links="abcd",
     )  # fmt: skip
-    robot = from_urdf(written(tmp_path, text), locked={"slide": 0.05})
+    robot = hd.from_urdf(written(tmp_path, text), locked={"slide": 0.05})
     assert robot.repairs == (
         "mimic of joints that are fixed, left out: nail",
         "joint finger mimics slide, which is fixed: fixed at 0.2",
@@ -383,10 +375,10 @@ def test_a_joint_locked_at_a_value_takes_those_that_mimic_it_with_it(tmp_path):
 
 def test_a_robot_that_only_floats(tmp_path):
     path = written(tmp_path, urdf("drone", [BASE, SLED]))
-    with pytest.raises(InputError, match=r"no joint that can move; .*\n.* from_urdf\(\.\.\., base='floating'\)"):
-        from_urdf(path).scene(GRAVITY, scales=SCALES)
-    robot = from_urdf(path, "floating")
-    model = engine_model(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES))
+    with pytest.raises(hd.InputError, match=r"no joint that can move; .*\n.* from_urdf\(\.\.\., base='floating'\)"):
+        hd.from_urdf(path).scene(GRAVITY, scales=SCALES)
+    robot = hd.from_urdf(path, "floating")
+    model = engine_model(robot.scene(GRAVITY, hd.EnergyLedger(), scales=SCALES))
     q, u = state_of(robot, 2)
     expected = textbook_mass_matrix([BASE, SLED], q, True)
     assert np.abs(mass_matrix(model, q, u) - expected).max() < 1e-13 * np.abs(expected).max()
@@ -396,9 +388,9 @@ def test_a_robot_that_only_floats(tmp_path):
 def test_an_inertia_that_no_body_has_or_the_nearest_possible_one(tmp_path, inertia):
     """A projection onto a convex cone: the residual is perpendicular to it, and no rod's inertia lies along it."""
     path = written(tmp_path, urdf("arm", [HIP, replace(KNEE, inertia=inertia)]))
-    with pytest.raises(InputError, match=r'link shin, inertia: found principal values .*\n.*inertia="nearest"'):
-        from_urdf(path)
-    robot = from_urdf(path, inertia="nearest")
+    with pytest.raises(hd.InputError, match=r'link shin, inertia: found principal values .*\n.*inertia="nearest"'):
+        hd.from_urdf(path)
+    robot = hd.from_urdf(path, inertia="nearest")
     xx, xy, xz, yy, yz, zz = inertia
     given = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     found = np.array([[float(getattr(value, "si", value)) for value in row] for row in robot.bodies["shin"].tensor])
@@ -451,11 +443,11 @@ def test_every_fault_of_options_is_reported_at_once(tmp_path):
     path = written(
         tmp_path, robot_with(joint("turn", "continuous", "base", "a"), joint("glue", "fixed", "a", "b"), links="ab")
     )
-    with pytest.raises(InputError, match=r"inertia: found 'best'") as caught:
-        from_urdf(path, "loose", locked="turn", inertia="best")
+    with pytest.raises(hd.InputError, match=r"inertia: found 'best'") as caught:
+        hd.from_urdf(path, "loose", locked="turn", inertia="best")
     assert len(caught.value.faults) == 3
-    with pytest.raises(InputError) as caught:
-        from_urdf(path, locked={"turm": 0, "turn": "0.1", "glue": float("nan")})
+    with pytest.raises(hd.InputError) as caught:
+        hd.from_urdf(path, locked={"turm": 0, "turn": "0.1", "glue": float("nan")})
     reported = str(caught.value)
     for part in (
         "locked, turm: found no joint of this name",

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from shaken import shaken
+from shaken import PUSHED, shaken
 
 from hertzwerk.derive import InputError
 from hertzwerk.runtime import Samples, Sweep, simulate, simulate_many, study_effects, sweep
@@ -18,21 +18,11 @@ TIMES = (0.0, 0.5, 1.0)
 LOADS = {"calm": (0.0, 1.0, 0.0), "gusty": (2.0, -3.0, 4.0)}
 HOW = {"duration": "1 s", "tolerance": 1e-8, "workers": 1, "compiled": False}
 TRAVEL = "final.slide.travel"
-SCENE = """
-from hertzwerk.derive import GROUND, Body, EnergyLedger, Input, JointForce, JointSpring, Mechanism, Parameter, Prismatic, Scales, Scene, X
-
-block = Body("block", Parameter("mass", "kg", 2))
-scene = Scene(
-    Mechanism("pushed", (Prismatic("slide", GROUND, block, axis=X),)),
-    (JointSpring("spring", "slide", Parameter("stiffness", "N/m", 50)), JointForce("motor", "slide", Input("push", "N")), EnergyLedger()),
-    Scales(Parameter("size", "cm", 10), Parameter("pace", "m/s", 1)),
-)
-"""
 
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    (tmp_path / "pushed.py").write_text(SCENE)
+    (tmp_path / "pushed.py").write_text(PUSHED)
     for name, loads in LOADS.items():
         rows = "".join(f"{t},{v}\n" for t, v in zip(TIMES, loads, strict=True))
         (tmp_path / f"{name}.csv").write_text(f"time [s],push [N]\n{rows}")

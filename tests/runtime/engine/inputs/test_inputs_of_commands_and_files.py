@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from shaken import MASS, STIFFNESS, shaken
+from shaken import MASS, PUSHED, STIFFNESS, shaken
 
 from hertzwerk.derive import InputError
 from hertzwerk.runtime import Samples, equilibrium, modes, simulate, sweep
@@ -15,22 +15,12 @@ from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.inputs.input_values import located
 from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
 
-SCENE = """
-from hertzwerk.derive import GROUND, Body, EnergyLedger, Input, JointForce, JointSpring, Mechanism, Parameter, Prismatic, Scales, Scene, X
-
-block = Body("block", Parameter("mass", "kg", 2))
-scene = Scene(
-    Mechanism("pushed", (Prismatic("slide", GROUND, block, axis=X),)),
-    (JointSpring("spring", "slide", Parameter("stiffness", "N/m", 50)), JointForce("motor", "slide", Input("push", "N")), EnergyLedger()),
-    Scales(Parameter("size", "cm", 10), Parameter("pace", "m/s", 1)),
-)
-"""
 TIMES, LOADS = (0.0, 0.5, 1.0, 2.0), (0.0, 3.0, -1.0, 0.0)
 
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    (tmp_path / "pushed.py").write_text(SCENE)
+    (tmp_path / "pushed.py").write_text(PUSHED)
     rows = "".join(f"{1e3 * t:g},{v:g}\n" for t, v in zip(TIMES, LOADS, strict=True))
     (tmp_path / "bench.csv").write_text(f"time [ms],load [N]\n{rows}")
     monkeypatch.chdir(tmp_path)

@@ -9,43 +9,7 @@ from derived import Derived, rate_along
 from kane import Tree, driven, random_tree
 from touching import MU, V0, Touching
 
-from hertzwerk.derive import (  # fmt: skip
-    APART,
-    GROUND,
-    TURN,
-    BallInSocket,
-    Body,
-    Contact,
-    CornerOnFace,
-    CustomPair,
-    CylinderOnPlane,
-    Cylindrical,
-    Direction,
-    EnergyLedger,
-    Free,
-    Friction,
-    InputError,
-    Material,
-    Mechanism,
-    ParallelCylinders,
-    Parameter,
-    PinInBush,
-    Planar,
-    Revolute,
-    RimOnPlane,
-    Scales,
-    Scene,
-    SphereOnBox,
-    SphereOnCylinder,
-    SphereOnFace,
-    SphereOnPlane,
-    SphereOnSphere,
-    Spherical,
-    X,
-    Y,
-    Z,
-    derive,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.expressions.parameter import default_value
 from hertzwerk.derive.laws import hertz_point, power, smooth_coulomb
 
@@ -61,23 +25,23 @@ class Pair(Touching):
         super().__init__(kind, tree, first, second, axis, sizes)
 
     def declared(self, one, two, normal, big, small):
-        other = Direction(tuple(int(k) for k in self.other))
+        other = hd.Direction(tuple(int(k) for k in self.other))
         length, off = (
-            Parameter("length", "m", LENGTH),
-            [Parameter(f"off_{k}", "m", v) for k, v in zip("xyz", OFF, strict=True)],
+            hd.Parameter("length", "m", LENGTH),
+            [hd.Parameter(f"off_{k}", "m", v) for k, v in zip("xyz", OFF, strict=True)],
         )
-        distance = sp.sqrt(sum(k**2 for k in APART))
-        knob = [a + sum(t * o for t, o in zip(row, off, strict=True)) for a, row in zip(APART, TURN, strict=True)]
+        distance = sp.sqrt(sum(k**2 for k in hd.APART))
+        knob = [a + sum(t * o for t, o in zip(row, off, strict=True)) for a, row in zip(hd.APART, hd.TURN, strict=True)]
         return {
-            "ball_in_socket": lambda: BallInSocket("touch", one, two, big, small),
-            "cylinder_on_plane": lambda: CylinderOnPlane("touch", one, other, big, length, two, normal),
-            "rim_on_plane": lambda: RimOnPlane("touch", one, other, big, two, normal),
-            "corner_on_face": lambda: CornerOnFace("touch", one, two, normal),
-            "bounded": lambda: CornerOnFace("touch", one, two, normal, other, length),
-            "custom spheres": lambda: CustomPair(
-                "touch", one, two, distance - big - small, tuple(k / distance for k in APART), tuple(small * k / distance for k in APART)
+            "ball_in_socket": lambda: hd.BallInSocket("touch", one, two, big, small),
+            "cylinder_on_plane": lambda: hd.CylinderOnPlane("touch", one, other, big, length, two, normal),
+            "rim_on_plane": lambda: hd.RimOnPlane("touch", one, other, big, two, normal),
+            "corner_on_face": lambda: hd.CornerOnFace("touch", one, two, normal),
+            "bounded": lambda: hd.CornerOnFace("touch", one, two, normal, other, length),
+            "custom spheres": lambda: hd.CustomPair(
+                "touch", one, two, distance - big - small, tuple(k / distance for k in hd.APART), tuple(small * k / distance for k in hd.APART)
             ),
-            "custom knob": lambda: CustomPair("touch", one, two, knob[1] - big, (0, 1, 0), (knob[0], knob[1] - big, knob[2])),
+            "custom knob": lambda: hd.CustomPair("touch", one, two, knob[1] - big, (0, 1, 0), (knob[0], knob[1] - big, knob[2])),
         }[self.kind]()  # fmt: skip
 
     def geometry(self, q):
@@ -244,28 +208,32 @@ def test_derivatives_are_numbers_in_contact_and_apart(name):
 
 # -- a face ends -------------------------------------------------------------------------------------------------------
 
-SIZE, PACE = Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1)
-MASS = Parameter("mass", "kg", 1)
-STIFF = power(Parameter("K", "N/m^1.5", 1e8), 1.5)
-BLOCK = Body("block", MASS, Parameter("J", "kg m^2", 0.01))
+SIZE, PACE = hd.Parameter("size", "m", 0.1), hd.Parameter("pace", "m/s", 1)
+MASS = hd.Parameter("mass", "kg", 1)
+STIFF = power(hd.Parameter("K", "N/m^1.5", 1e8), 1.5)
+BLOCK = hd.Body("block", MASS, hd.Parameter("J", "kg m^2", 0.01))
 
 
-RUB = Friction("rub", "touch", smooth_coulomb(Parameter("mu", "1", MU), Parameter("v_s", "m/s", 0.1)))
+RUB = hd.Friction("rub", "touch", smooth_coulomb(hd.Parameter("mu", "1", MU), hd.Parameter("v_s", "m/s", 0.1)))
 
 
 def scene(pair, joint=None, effects=None):
-    joint = joint or Planar("float", GROUND, BLOCK)
-    return Scene(
-        Mechanism("touching", (joint,), (pair,)),
-        effects or (Contact("touch", STIFF), EnergyLedger()),
-        Scales(length=SIZE, speed=PACE, arm=SIZE),
+    joint = joint or hd.Planar("float", hd.GROUND, BLOCK)
+    return hd.Scene(
+        hd.Mechanism("touching", (joint,), (pair,)),
+        effects or (hd.Contact("touch", STIFF), hd.EnergyLedger()),
+        hd.Scales(length=SIZE, speed=PACE, arm=SIZE),
     )
 
 
 def test_a_bounded_face_makes_no_contact_beyond_its_ends():
     """A point all around the solid, x < 1 to both sides and y < 0: the gap is negative inside alone."""
     derived = Derived(
-        scene(CornerOnFace("touch", BLOCK.at(0, 0, 0), GROUND.at(0, 0, 0), Y, X, Parameter("length", "m", 2)))
+        scene(
+            hd.CornerOnFace(
+                "touch", BLOCK.at(0, 0, 0), hd.GROUND.at(0, 0, 0), hd.Y, hd.X, hd.Parameter("length", "m", 2)
+            )
+        )
     )
     for x, y, gap in (
         (0, 0.1, 0.1),
@@ -285,43 +253,44 @@ def test_a_bounded_face_makes_no_contact_beyond_its_ends():
 
 # -- bad input ---------------------------------------------------------------------------------------------------------
 
-R, CLEARANCE = Parameter("radius", "m", 0.05), Parameter("clearance", "m", 0.001)
-HERE, THERE = BLOCK.at(0, 0, 0), GROUND.at(0, 0, 0)
-GAP = APART[1] - R
-FOOT = (APART[0], 0, APART[2])
+R, CLEARANCE = hd.Parameter("radius", "m", 0.05), hd.Parameter("clearance", "m", 0.001)
+HERE, THERE = BLOCK.at(0, 0, 0), hd.GROUND.at(0, 0, 0)
+GAP = hd.APART[1] - R
+FOOT = (hd.APART[0], 0, hd.APART[2])
 
 
 def faults(pair, joint=None, **given):
-    with pytest.raises(InputError) as caught:
-        derive(scene(pair, joint, **given))
+    with pytest.raises(hd.InputError) as caught:
+        hd.derive(scene(pair, joint, **given))
     return str(caught.value)
 
 
-ROLLER = Body("roller", MASS, tuple(Parameter(f"J_{k}", "kg m^2", 0.1) for k in "xyz"))
+ROLLER = hd.Body("roller", MASS, tuple(hd.Parameter(f"J_{k}", "kg m^2", 0.1) for k in "xyz"))
 BAD = {
-    "no socket": (lambda: BallInSocket("touch", HERE, THERE, Parameter("r", "m", 0), CLEARANCE), "socket radius: found 0 m"),
-    "clearance above the socket": (lambda: BallInSocket("touch", HERE, THERE, CLEARANCE, R), "minus clearance): found -0.049 m"),
-    "no clearance": (lambda: BallInSocket("touch", HERE, THERE, R, Parameter("none", "m", 0)), "clearance: found 0 m"),
-    "no radius": (lambda: RimOnPlane("touch", HERE, Z, Parameter("r", "m", 0), THERE, Y), "pair touch, radius: found 0 m"),
-    "no length": (lambda: CylinderOnPlane("touch", HERE, Z, R, Parameter("l", "m", 0), THERE, Y), "pair touch, length: found 0 m"),
-    "a normal of no length": (lambda: CornerOnFace("touch", HERE, THERE, Direction((0, 0, 0))), "a direction of length 0"),
-    "a length without a direction": (lambda: CornerOnFace("touch", HERE, THERE, Y, length=R), "a length without a direction"),
-    "a direction without a length": (lambda: CornerOnFace("touch", HERE, THERE, Y, along=X), "a direction without a length"),
-    "along the normal": (lambda: CornerOnFace("touch", HERE, THERE, Y, Direction((1, 1, 0)), R), "a cosine of 0.707 to the normal"),
-    "a body and itself": (lambda: CornerOnFace("touch", HERE, BLOCK.at(R, 0, 0), Y), "both sides on block"),
-    "text": (lambda: CustomPair("touch", HERE, THERE, "apart_y", (0, 1, 0), FOOT), "'apart_y'"),
-    "a wrong unit": (lambda: CustomPair("touch", HERE, THERE, APART[1] ** 2, (0, 1, 0), FOOT), "pair touch, gap: found apart_y**2 [m^2]"),
-    "units that do not add": (lambda: CustomPair("touch", HERE, THERE, GAP, (0, 1 + APART[0], 0), FOOT), "pair touch, normal, y"),
-    "a bare number": (lambda: CustomPair("touch", HERE, THERE, GAP, (0, 1, 0), (0, 0.2, 0)), "the bare number 0.2"),
-    "a strange symbol": (lambda: CustomPair("touch", HERE, THERE, GAP - sp.Symbol("x"), (0, 1, 0), FOOT), "the symbol x"),
-    "two components": (lambda: CustomPair("touch", HERE, THERE, GAP, (0, 1), FOOT), "three values"),
-    "no unit vector": (lambda: CustomPair("touch", HERE, THERE, GAP, (0, 2, 0), FOOT), "a length of 2 where the gap is closed"),
-    "the wrong side": (lambda: CustomPair("touch", HERE, THERE, GAP, (0, -1, 0), FOOT), "expected the distance of the surfaces"),
-    "no distance": (lambda: CustomPair("touch", HERE, THERE, 2 * GAP, (0, 1, 0), FOOT), "expected the distance of the surfaces"),
+    "no socket": (lambda: hd.BallInSocket("touch", HERE, THERE, hd.Parameter("r", "m", 0), CLEARANCE), "socket radius: found 0 m"),
+    "clearance above the socket": (lambda: hd.BallInSocket("touch", HERE, THERE, CLEARANCE, R), "minus clearance): found -0.049 m"),
+    "no clearance": (lambda: hd.BallInSocket("touch", HERE, THERE, R, hd.Parameter("none", "m", 0)), "clearance: found 0 m"),
+    "no radius": (lambda: hd.RimOnPlane("touch", HERE, hd.Z, hd.Parameter("r", "m", 0), THERE, hd.Y), "pair touch, radius: found 0 m"),
+    "no length": (lambda: hd.CylinderOnPlane("touch", HERE, hd.Z, R, hd.Parameter("l", "m", 0), THERE, hd.Y), "pair touch, length: found 0 m"),
+    "a normal of no length": (lambda: hd.CornerOnFace("touch", HERE, THERE, hd.Direction((0, 0, 0))), "a direction of length 0"),
+    "a length without a direction": (lambda: hd.CornerOnFace("touch", HERE, THERE, hd.Y, length=R), "a length without a direction"),
+    "a direction without a length": (lambda: hd.CornerOnFace("touch", HERE, THERE, hd.Y, along=hd.X), "a direction without a length"),
+    "along the normal": (lambda: hd.CornerOnFace("touch", HERE, THERE, hd.Y, hd.Direction((1, 1, 0)), R), "a cosine of 0.707 to the normal"),
+    "a body and itself": (lambda: hd.CornerOnFace("touch", HERE, BLOCK.at(R, 0, 0), hd.Y), "both sides on block"),
+    "text": (lambda: hd.CustomPair("touch", HERE, THERE, "apart_y", (0, 1, 0), FOOT), "'apart_y'"),
+    "a wrong unit": (lambda: hd.CustomPair("touch", HERE, THERE, hd.APART[1] ** 2, (0, 1, 0), FOOT), "pair touch, gap: found apart_y**2 [m^2]"),
+    "units that do not add": (lambda: hd.CustomPair("touch", HERE, THERE, GAP, (0, 1 + hd.APART[0], 0), FOOT), "pair touch, normal, y"),
+    "a bare number": (lambda: hd.CustomPair("touch", HERE, THERE, GAP, (0, 1, 0), (0, 0.2, 0)), "the bare number 0.2"),
+    "a strange symbol": (lambda: hd.CustomPair("touch", HERE, THERE, GAP - sp.Symbol("x"), (0, 1, 0), FOOT), "the symbol x"),
+    "two components": (lambda: hd.CustomPair("touch", HERE, THERE, GAP, (0, 1), FOOT), "three values"),
+    "no unit vector": (lambda: hd.CustomPair("touch", HERE, THERE, GAP, (0, 2, 0), FOOT), "a length of 2 where the gap is closed"),
+    "the wrong side": (lambda: hd.CustomPair("touch", HERE, THERE, GAP, (0, -1, 0), FOOT), "expected the distance of the surfaces"),
+    "no distance": (lambda: hd.CustomPair("touch", HERE, THERE, 2 * GAP, (0, 1, 0), FOOT), "expected the distance of the surfaces"),
     "a point off the line of action": (
-        lambda: CustomPair("touch", BLOCK.at(R, 0, 0), THERE, GAP, (0, 1, 0), (0, 0, 0)), "expected the distance of the surfaces",
+        lambda: hd.CustomPair("touch", BLOCK.at(R, 0, 0), THERE, GAP, (0, 1, 0), (0, 0, 0)), "expected the distance of the surfaces",
     ),
-    "a gap that never closes": (lambda: CustomPair("touch", HERE, THERE, R + APART[0] ** 2 / R, (1, 0, 0), FOOT), "no position where it is negative"),
+    "a gap that never closes": (lambda: hd.CustomPair("touch", HERE, THERE, R + hd.APART[0] ** 2 / R, (1, 0, 0), FOOT),
+    "no position where it is negative"),
 }  # fmt: skip
 
 
@@ -332,16 +301,16 @@ def test_a_bad_pair_is_refused(label):
 
 
 def test_faults_of_several_pairs_come_at_once():
-    one, two = Body("one", MASS, Parameter("J", "kg m^2", 0.01)), BLOCK
-    with pytest.raises(InputError) as caught:
-        Scene(
-            Mechanism("many", (Planar("a", GROUND, one), Planar("b", GROUND, two)), (
-                BallInSocket("first", one.at(0, 0, 0), two.at(0, 0, 0), CLEARANCE, R),
-                CornerOnFace("second", one.at(0, 0, 0), one.at(0, 0, 0), Y, Y, Parameter("l", "m", -1)),
-                CustomPair("third", one.at(0, 0, 0), two.at(0, 0, 0), GAP**2, (0, 1, 0), (MASS, 0, 0)),
+    one, two = hd.Body("one", MASS, hd.Parameter("J", "kg m^2", 0.01)), BLOCK
+    with pytest.raises(hd.InputError) as caught:
+        hd.Scene(
+            hd.Mechanism("many", (hd.Planar("a", hd.GROUND, one), hd.Planar("b", hd.GROUND, two)), (
+                hd.BallInSocket("first", one.at(0, 0, 0), two.at(0, 0, 0), CLEARANCE, R),
+                hd.CornerOnFace("second", one.at(0, 0, 0), one.at(0, 0, 0), hd.Y, hd.Y, hd.Parameter("l", "m", -1)),
+                hd.CustomPair("third", one.at(0, 0, 0), two.at(0, 0, 0), GAP**2, (0, 1, 0), (MASS, 0, 0)),
             )),
-            (Contact("first", STIFF), Contact("second", STIFF), EnergyLedger()),
-            Scales(length=SIZE, speed=PACE),
+            (hd.Contact("first", STIFF), hd.Contact("second", STIFF), hd.EnergyLedger()),
+            hd.Scales(length=SIZE, speed=PACE),
         )  # fmt: skip
     text = str(caught.value)
     for piece in (
@@ -357,29 +326,29 @@ def test_faults_of_several_pairs_come_at_once():
 
 
 def test_a_cylinder_that_may_tilt_is_refused_and_one_that_may_yaw_is_not():
-    pair = CylinderOnPlane("touch", ROLLER.at(0, 0, 0), X, R, SIZE, GROUND.at(0, 0, 0), Y)
-    assert "RimOnPlane for each end" in faults(pair, Spherical("ball", GROUND, ROLLER))
-    derive(scene(pair, Cylindrical("yaw", GROUND, ROLLER, axis=Y), effects=(Contact("touch", STIFF),)))
-    assert "RimOnPlane for each end" in faults(pair, Revolute("tilt", GROUND, ROLLER, axis=Z))
+    pair = hd.CylinderOnPlane("touch", ROLLER.at(0, 0, 0), hd.X, R, SIZE, hd.GROUND.at(0, 0, 0), hd.Y)
+    assert "RimOnPlane for each end" in faults(pair, hd.Spherical("ball", hd.GROUND, ROLLER))
+    hd.derive(scene(pair, hd.Cylindrical("yaw", hd.GROUND, ROLLER, axis=hd.Y), effects=(hd.Contact("touch", STIFF),)))
+    assert "RimOnPlane for each end" in faults(pair, hd.Revolute("tilt", hd.GROUND, ROLLER, axis=hd.Z))
 
 
 def test_relative_curvature_is_that_of_both_surfaces():
     """R_eff = sqrt(R' R'') of the principal relative radii, concave ones negative (Johnson 1985, section 4.1), of cylinders that across; in mm."""
-    big, small, gap, mm = (Parameter(f"size_{k}", "mm", k) for k in (30, 20, 10, 15))
+    big, small, gap, mm = (hd.Parameter(f"size_{k}", "mm", k) for k in (30, 20, 10, 15))
     balls = {"R_min": 20, "R_1": 30, "R_2": 20}
     side_by_side = {**balls, "R_eff": 1 / (1 / 20 + 1 / 30), "dR": 50}
     hollow = {**balls, "R_eff": 1 / (1 / 20 - 1 / 30), "dR": 10}
     flat = {"R_eff": 20, "R_min": 20, "R_2": 20}
     cases = (
-        (SphereOnSphere("touch", HERE, THERE, big, small), side_by_side),
-        (ParallelCylinders("touch", HERE, THERE, big, small, Z, mm), {**side_by_side, "L": 15}),
-        (PinInBush("touch", HERE, THERE, Z, big, gap, length=mm), {**hollow, "L": 15}),
-        (BallInSocket("touch", HERE, THERE, big, gap), hollow),
-        (SphereOnPlane("touch", HERE, small, THERE, Y), flat),
-        (CylinderOnPlane("touch", HERE, X, small, mm, THERE, Y), {"R_eff": 20, "R_min": 20, "L": 15}),
-        (SphereOnBox("touch", HERE, small, THERE, big, big, big), flat),
-        (SphereOnFace("touch", HERE, small, THERE, Y, X, big, big), flat),
-        (SphereOnCylinder("touch", HERE, small, THERE, big, Z), {**balls, "R_eff": 1 / np.sqrt(1 / 20 * (1 / 20 + 1 / 30))}),
+        (hd.SphereOnSphere("touch", HERE, THERE, big, small), side_by_side),
+        (hd.ParallelCylinders("touch", HERE, THERE, big, small, hd.Z, mm), {**side_by_side, "L": 15}),
+        (hd.PinInBush("touch", HERE, THERE, hd.Z, big, gap, length=mm), {**hollow, "L": 15}),
+        (hd.BallInSocket("touch", HERE, THERE, big, gap), hollow),
+        (hd.SphereOnPlane("touch", HERE, small, THERE, hd.Y), flat),
+        (hd.CylinderOnPlane("touch", HERE, hd.X, small, mm, THERE, hd.Y), {"R_eff": 20, "R_min": 20, "L": 15}),
+        (hd.SphereOnBox("touch", HERE, small, THERE, big, big, big), flat),
+        (hd.SphereOnFace("touch", HERE, small, THERE, hd.Y, hd.X, big, big), flat),
+        (hd.SphereOnCylinder("touch", HERE, small, THERE, big, hd.Z), {**balls, "R_eff": 1 / np.sqrt(1 / 20 * (1 / 20 + 1 / 30))}),
     )  # fmt: skip
     for pair, expected in cases:
         actual = {name: 1e3 * default_value(value) for name, value in pair.geometry.items()}
@@ -387,29 +356,29 @@ def test_relative_curvature_is_that_of_both_surfaces():
 
 
 def test_laws_ask_pairs_for_the_geometry_they_need():
-    steel = Parameter("E", "GPa", 207), Parameter("nu", "1", 0.3)
-    hertz = Contact("touch", hertz_point(Material(*steel), Material(*steel)))
-    edge = RimOnPlane("touch", HERE, Z, R, THERE, Y)
+    steel = hd.Parameter("E", "GPa", 207), hd.Parameter("nu", "1", 0.3)
+    hertz = hd.Contact("touch", hertz_point(hd.Material(*steel), hd.Material(*steel)))
+    edge = hd.RimOnPlane("touch", HERE, hd.Z, R, THERE, hd.Y)
     assert "without R_eff" in faults(edge, effects=(hertz,))
-    derive(scene(BallInSocket("touch", HERE, THERE, R, CLEARANCE), effects=(hertz,)))
-    given = CustomPair("touch", HERE, THERE, GAP, (0, 1, 0), FOOT)
+    hd.derive(scene(hd.BallInSocket("touch", HERE, THERE, R, CLEARANCE), effects=(hertz,)))
+    given = hd.CustomPair("touch", HERE, THERE, GAP, (0, 1, 0), FOOT)
     assert "without R_eff" in faults(given, effects=(hertz,))
-    derive(scene(CustomPair("touch", HERE, THERE, GAP, (0, 1, 0), FOOT, radius=R), effects=(hertz,)))
+    hd.derive(scene(hd.CustomPair("touch", HERE, THERE, GAP, (0, 1, 0), FOOT, radius=R), effects=(hertz,)))
 
 
 def test_a_pin_far_along_its_bush_is_no_farther_off():
     """(c^2 - x^2 - y^2)/(2 c), its rate and its normal force, wherever along the axis; as a ball in a socket it would be."""
     clearance, stiffness = 1e-3, 1e6
     pin, room = (
-        Body("pin", Parameter("mass", "kg", 1), (Parameter("J", "kg m^2", 1),) * 3),
-        Parameter("room", "m", clearance),
+        hd.Body("pin", hd.Parameter("mass", "kg", 1), (hd.Parameter("J", "kg m^2", 1),) * 3),
+        hd.Parameter("room", "m", clearance),
     )
-    pair = PinInBush("joint", pin.at(0, 0, 0), GROUND.at(0, 0, 0), Z, Parameter("bush", "m", 0.01), room)
+    pair = hd.PinInBush("joint", pin.at(0, 0, 0), hd.GROUND.at(0, 0, 0), hd.Z, hd.Parameter("bush", "m", 0.01), room)
     derived = Derived(
-        Scene(
-            Mechanism("sliding", (Free("flight", GROUND, pin),), (pair,)),
-            (Contact("joint", power(Parameter("K", "N/m", stiffness), 1)), EnergyLedger()),
-            Scales(room, Parameter("pace", "m/s", 1), room),
+        hd.Scene(
+            hd.Mechanism("sliding", (hd.Free("flight", hd.GROUND, pin),), (pair,)),
+            (hd.Contact("joint", power(hd.Parameter("K", "N/m", stiffness), 1)), hd.EnergyLedger()),
+            hd.Scales(room, hd.Parameter("pace", "m/s", 1), room),
         )
     )
     x, y, vx, vy = 0.9e-3, -1.2e-3, 0.3, 0.7

@@ -5,57 +5,29 @@ import pytest
 import sympy as sp
 from scipy.special import ellipeinc, ellipk
 
-from hertzwerk.derive import (
-    GROUND,
-    Arc,
-    Body,
-    CircleOnCurve,
-    ConstantSpeed,
-    Contact,
-    Curve,
-    CurveOnCurve,
-    Direction,
-    EnergyLedger,
-    Free,
-    Gravity,
-    InputError,
-    JointSpring,
-    KnifeEdge,
-    Mechanism,
-    Outline,
-    Parameter,
-    Planar,
-    Revolute,
-    RimOnPlane,
-    RollingWithoutSlip,
-    S,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    SphereOnSphere,
-    Start,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import power
 from hertzwerk.runtime import equilibrium, modes, simulate, sweep
 from hertzwerk.runtime.loading import engine_model
 
 BOTH = ("tree", "absolute")
 EXACT = 1e-9
-m, r, g = Parameter("m", "kg", 2.0), Parameter("r", "m", 0.3), Parameter("g", "m/s^2", 9.81)
-turn, still, pull = Parameter("turn", "rad/s", 2.0), Parameter("still", "m/s", 0.0), Parameter("unturned", "rad/s", 0.0)
-slope, pace, mu = Parameter("slope", "rad", 0.4), Parameter("pace", "m/s", 1.0), Parameter("mu", "1", 0.2)
-DOWNHILL = Gravity("gravity", g, direction=Direction((sp.sin(slope), -sp.cos(slope), 0)))
+m, r, g = hd.Parameter("m", "kg", 2.0), hd.Parameter("r", "m", 0.3), hd.Parameter("g", "m/s^2", 9.81)
+turn, still, pull = (
+    hd.Parameter("turn", "rad/s", 2.0),
+    hd.Parameter("still", "m/s", 0.0),
+    hd.Parameter("unturned", "rad/s", 0.0),
+)
+slope, pace, mu = hd.Parameter("slope", "rad", 0.4), hd.Parameter("pace", "m/s", 1.0), hd.Parameter("mu", "1", 0.2)
+DOWNHILL = hd.Gravity("gravity", g, direction=hd.Direction((sp.sin(slope), -sp.cos(slope), 0)))
 
 
-def scene(joints, pairs, *effects, **start) -> Scene:
-    scales = Scales(r, pace, arm=r)
-    return Scene(Mechanism("rolling", joints, pairs), (*effects, EnergyLedger()), scales, Start(**start))
+def scene(joints, pairs, *effects, **start) -> hd.Scene:
+    scales = hd.Scales(r, pace, arm=r)
+    return hd.Scene(hd.Mechanism("rolling", joints, pairs), (*effects, hd.EnergyLedger()), scales, hd.Start(**start))
 
 
-def run(declared: Scene, coordinates: str = "tree", duration: float = 1.0, **options):
+def run(declared: hd.Scene, coordinates: str = "tree", duration: float = 1.0, **options):
     found = simulate(
         engine_model(declared.with_coordinates(coordinates)), duration=duration, **{"tolerance": 1e-11, **options}
     )
@@ -65,11 +37,11 @@ def run(declared: Scene, coordinates: str = "tree", duration: float = 1.0, **opt
     return found
 
 
-def wheel(coefficient=None, *more) -> Scene:
-    body = Body("wheel", m, m * r**2 / 2)
-    track = SphereOnPlane("track", body.at(0, 0, 0), r, GROUND.at(0, 0, 0), normal=Y)
-    joints = (Planar("ride", GROUND, body, normal=Z),)
-    rolling = RollingWithoutSlip("tyre", "track", coefficient)
+def wheel(coefficient=None, *more) -> hd.Scene:
+    body = hd.Body("wheel", m, m * r**2 / 2)
+    track = hd.SphereOnPlane("track", body.at(0, 0, 0), r, hd.GROUND.at(0, 0, 0), normal=hd.Y)
+    joints = (hd.Planar("ride", hd.GROUND, body, normal=hd.Z),)
+    rolling = hd.RollingWithoutSlip("tyre", "track", coefficient)
     return scene(joints, (track,), DOWNHILL, rolling, *more, position={"ride.y": r})
 
 
@@ -101,13 +73,14 @@ def test_a_run_warns_where_friction_could_not_hold_it():
 
 def test_a_run_warns_where_the_surfaces_would_part():
     """A ball on another leaves it at cos = 10/17 of the way, where its normal force vanishes."""
-    big, ball = Parameter("big", "m", 1.0), Body("ball", m, 2 * m * r**2 / 5)
-    pair = SphereOnSphere("hill", ball.at(0, 0, 0), GROUND.at(0, 0, 0), r, big)
+    big, ball = hd.Parameter("big", "m", 1.0), hd.Body("ball", m, 2 * m * r**2 / 5)
+    pair = hd.SphereOnSphere("hill", ball.at(0, 0, 0), hd.GROUND.at(0, 0, 0), r, big)
     start = {
         "position": {"ride.x": (big + r) * sp.sin(sp.Rational(1, 10)), "ride.y": (big + r) * sp.cos(sp.Rational(1, 10))}
     }
     declared = scene(
-        (Planar("ride", GROUND, ball, normal=Z),), (pair,), Gravity("gravity", g, direction=-Y), RollingWithoutSlip("rolls", "hill"), **start
+        (hd.Planar("ride", hd.GROUND, ball, normal=hd.Z),), (pair,), hd.Gravity("gravity", g, direction=-hd.Y),
+        hd.RollingWithoutSlip("rolls", "hill"), **start
     )  # fmt: skip
     found = run(declared, duration=2.0)
     cosine = found["ride.y"] / 1.3
@@ -119,21 +92,21 @@ def test_a_run_warns_where_the_surfaces_would_part():
     assert warning.startswith("rolls holds its surfaces together with ")
 
 
-WIDE, LIFT = Parameter("wide", "m", 1.0), Parameter("lift", "rad", 1.2)
+WIDE, LIFT = hd.Parameter("wide", "m", 1.0), hd.Parameter("lift", "rad", 1.2)
 TROUGHS = {
-    "curve": Curve("trough", WIDE * sp.cos(S), WIDE * sp.sin(S), hole=True),
-    "outline": Outline("trough", (WIDE, 0), [Arc((-WIDE, 0), (0, 0), clockwise=True)], closed=False),
+    "curve": hd.Curve("trough", WIDE * sp.cos(hd.S), WIDE * sp.sin(hd.S), hole=True),
+    "outline": hd.Outline("trough", (WIDE, 0), [hd.Arc((-WIDE, 0), (0, 0), clockwise=True)], closed=False),
 }
 
 
 @pytest.mark.parametrize("trough", TROUGHS.values(), ids=TROUGHS)
 def test_a_cylinder_rolls_in_a_trough_as_a_pendulum(trough):
     """Of length 3 (R - r)/2: its period by an elliptic integral and, of small vibrations, 2 pi sqrt(3 (R - r)/(2 g)); its forces."""
-    body = Body("cylinder", m, m * r**2 / 2)
-    pair = CircleOnCurve("bed", body.at(0, 0, 0), r, trough, GROUND.at(0, 0, 0))
+    body = hd.Body("cylinder", m, m * r**2 / 2)
+    pair = hd.CircleOnCurve("bed", body.at(0, 0, 0), r, trough, hd.GROUND.at(0, 0, 0))
     joints, effects = (
-        (Planar("ride", GROUND, body, normal=Z),),
-        (Gravity("gravity", g, direction=-Y), RollingWithoutSlip("rolls", "bed")),
+        (hd.Planar("ride", hd.GROUND, body, normal=hd.Z),),
+        (hd.Gravity("gravity", g, direction=-hd.Y), hd.RollingWithoutSlip("rolls", "bed")),
     )
     start = {"ride.x": (WIDE - r) * sp.sin(LIFT), "ride.y": (r - WIDE) * sp.cos(LIFT)}  # fmt: skip
     declared = scene(joints, (pair,), *effects, position=start)
@@ -151,15 +124,15 @@ def test_a_cylinder_rolls_in_a_trough_as_a_pendulum(trough):
 @pytest.mark.parametrize("coordinates", BOTH)
 def test_an_ellipse_rolls_on_a_line_by_its_length(coordinates):
     """Its middle is sqrt(a^2 sin^2 + b^2 cos^2) high, and gets as far as the arc that it has unrolled and its foot's lead."""
-    (a, b), egg = (0.4, 0.25), Body("egg", m, m * r**2 / 2)
-    floor = Curve("floor", -4 * r * S, 0 * r, -1, 1, closed=False)
-    oval = Curve("oval", Parameter("a", "m", a) * sp.cos(S), Parameter("b", "m", b) * sp.sin(S))
-    pair = CurveOnCurve("bed", oval, egg.at(0, 0, 0), floor, GROUND.at(0, 0, 0))
+    (a, b), egg = (0.4, 0.25), hd.Body("egg", m, m * r**2 / 2)
+    floor = hd.Curve("floor", -4 * r * hd.S, 0 * r, -1, 1, closed=False)
+    oval = hd.Curve("oval", hd.Parameter("a", "m", a) * sp.cos(hd.S), hd.Parameter("b", "m", b) * sp.sin(hd.S))
+    pair = hd.CurveOnCurve("bed", oval, egg.at(0, 0, 0), floor, hd.GROUND.at(0, 0, 0))
     joints, effects = (
-        (Planar("ride", GROUND, egg, normal=Z),),
-        (Gravity("gravity", g, direction=-Y), RollingWithoutSlip("rolls", "bed")),
+        (hd.Planar("ride", hd.GROUND, egg, normal=hd.Z),),
+        (hd.Gravity("gravity", g, direction=-hd.Y), hd.RollingWithoutSlip("rolls", "bed")),
     )
-    start = {"position": {"ride.x": 0 * r, "ride.y": Parameter("low", "m", b)}, "speed": {"ride.x": -pace}}  # fmt: skip
+    start = {"position": {"ride.x": 0 * r, "ride.y": hd.Parameter("low", "m", b)}, "speed": {"ride.x": -pace}}  # fmt: skip
     found = run(scene(joints, (pair,), *effects, **start), coordinates, duration=0.35)
     angle = found["ride.angle"]
     high = np.hypot(a * np.sin(angle), b * np.cos(angle))
@@ -170,19 +143,19 @@ def test_an_ellipse_rolls_on_a_line_by_its_length(coordinates):
     assert found["ride.x"] == pytest.approx(lead - unrolled, abs=EXACT)
 
 
-def turntable(**start) -> Scene:
-    table, ball = Body("table", m, m * r**2), Body("ball", m, 2 * m * r**2 / 5)
-    joints = (Revolute("table", GROUND, table, axis=Z), Free("ball", GROUND, ball))
-    pair = SphereOnPlane("deck", ball.at(0, 0, 0), r, table.at(0, 0, 0), normal=Z)
-    drive = ConstantSpeed("motor", "table", Parameter("turning", "rad/s", 3.0))
-    rolling, weight = RollingWithoutSlip("rolls", "deck"), Gravity("gravity", g, direction=-Z)
+def turntable(**start) -> hd.Scene:
+    table, ball = hd.Body("table", m, m * r**2), hd.Body("ball", m, 2 * m * r**2 / 5)
+    joints = (hd.Revolute("table", hd.GROUND, table, axis=hd.Z), hd.Free("ball", hd.GROUND, ball))
+    pair = hd.SphereOnPlane("deck", ball.at(0, 0, 0), r, table.at(0, 0, 0), normal=hd.Z)
+    drive = hd.ConstantSpeed("motor", "table", hd.Parameter("turning", "rad/s", 3.0))
+    rolling, weight = hd.RollingWithoutSlip("rolls", "deck"), hd.Gravity("gravity", g, direction=-hd.Z)
     return scene(joints, (pair,), drive, weight, rolling, **start)
 
 
 @pytest.mark.parametrize("coordinates", BOTH)
 def test_a_ball_on_a_turntable_circles_at_two_sevenths_of_its_speed(coordinates):
     """Routh, Advanced Rigid Dynamics (1884): p'' = 2/7 W x p', wherever the axis is."""
-    away, vx, vy = Parameter("away", "m", 0.7), Parameter("vx", "m/s", 0.2), Parameter("vy", "m/s", 0.5)
+    away, vx, vy = hd.Parameter("away", "m", 0.7), hd.Parameter("vx", "m/s", 0.2), hd.Parameter("vy", "m/s", 0.5)
     position = {"ball.x": away, "ball.z": r}
     declared = turntable(position=position, speed={"ball.x": vx, "ball.y": vy, "ball.angular_speed_z": pull})
     found = run(declared, coordinates, duration=4.0)
@@ -192,11 +165,13 @@ def test_a_ball_on_a_turntable_circles_at_two_sevenths_of_its_speed(coordinates)
     assert path == pytest.approx(0.7 + speed * (np.exp(1j * rate * found.t) - 1) / (1j * rate), abs=1e-8)
 
 
-def sleigh() -> Scene:
-    a, inertia = Parameter("a", "m", 0.25), Parameter("J", "kg m^2", 0.1)
-    body = Body("sleigh", m, inertia, centre=(a, 0, 0))
-    edge = KnifeEdge("skate", body.at(0, 0, 0), Y)
-    return scene((Planar("ride", GROUND, body, normal=Z),), (), edge, speed={"ride.angle": turn, "ride.x": still})
+def sleigh() -> hd.Scene:
+    a, inertia = hd.Parameter("a", "m", 0.25), hd.Parameter("J", "kg m^2", 0.1)
+    body = hd.Body("sleigh", m, inertia, centre=(a, 0, 0))
+    edge = hd.KnifeEdge("skate", body.at(0, 0, 0), hd.Y)
+    return scene(
+        (hd.Planar("ride", hd.GROUND, body, normal=hd.Z),), (), edge, speed={"ride.angle": turn, "ride.x": still}
+    )
 
 
 @pytest.mark.parametrize("coordinates", BOTH)
@@ -219,13 +194,15 @@ def side_force(t, k):
 @pytest.mark.parametrize("coordinates", BOTH)
 def test_an_upright_disc_sways_as_fast_as_published(coordinates):
     """A thin rolling disc: sway^2 = 4/5 (3 w^2 - g/r), Neimark, Fufaev (1972), III.2; below 3 w^2 = g/r it falls."""
-    tilt, spin = Parameter("tilt", "rad", 1e-4), Parameter("spin", "rad/s", 12.0)
-    disc = Body("disc", m, (m * r**2 / 4, m * r**2 / 2, m * r**2 / 4))
-    pair = RimOnPlane("ground", disc.at(0, 0, 0), Y, r, GROUND.at(0, 0, 0), normal=Z)
+    tilt, spin = hd.Parameter("tilt", "rad", 1e-4), hd.Parameter("spin", "rad/s", 12.0)
+    disc = hd.Body("disc", m, (m * r**2 / 4, m * r**2 / 2, m * r**2 / 4))
+    pair = hd.RimOnPlane("ground", disc.at(0, 0, 0), hd.Y, r, hd.GROUND.at(0, 0, 0), normal=hd.Z)
     position = {"disc.q0": sp.cos(tilt / 2), "disc.q1": sp.sin(tilt / 2), "disc.z": r * sp.cos(tilt)}
     speed = {"disc.angular_speed_x": pull, "disc.angular_speed_y": spin, "disc.angular_speed_z": pull}
-    joints, rolling = (Free("disc", GROUND, disc),), RollingWithoutSlip("rolls", "ground")
-    declared = scene(joints, (pair,), Gravity("gravity", g, direction=-Z), rolling, position=position, speed=speed)
+    joints, rolling = (hd.Free("disc", hd.GROUND, disc),), hd.RollingWithoutSlip("rolls", "ground")
+    declared = scene(
+        joints, (pair,), hd.Gravity("gravity", g, direction=-hd.Z), rolling, position=position, speed=speed
+    )
     for rate in (12.0, 2.0):
         found = run(declared, coordinates, duration=0.5, parameters={"spin": f"{rate} rad/s"})
         q = [found[f"disc.q{k}"] for k in range(4)]
@@ -237,7 +214,7 @@ def test_an_upright_disc_sways_as_fast_as_published(coordinates):
 
 
 def test_a_rolling_wheel_on_a_spring_rests_and_vibrates_as_one_of_half_again_the_mass():
-    rest = equilibrium(engine_model(wheel(None, JointSpring("tie", "ride.x", Parameter("k", "N/m", 300)))))
+    rest = equilibrium(engine_model(wheel(None, hd.JointSpring("tie", "ride.x", hd.Parameter("k", "N/m", 300)))))
     assert rest.q[0] == pytest.approx(2 * 9.81 * np.sin(0.4) / 300, rel=1e-9)
     assert modes(rest).frequencies == pytest.approx([np.sqrt(300 / 3) / (2 * np.pi)], rel=1e-9)
 
@@ -253,13 +230,13 @@ def test_derivatives_of_a_rolling_wheel_are_those_of_its_closed_form():
 
 
 def test_every_fault_of_rolling_and_edges_is_reported_at_once():
-    body = Body("wheel", m, m * r**2)
-    track = SphereOnPlane("track", body.at(0, 0, 0), r, GROUND.at(0, 0, 0), normal=Y)
-    contact = Contact("track", power(Parameter("K", "N/m^1.5", 1e8), 1.5))
-    with pytest.raises(InputError) as error:
+    body = hd.Body("wheel", m, m * r**2)
+    track = hd.SphereOnPlane("track", body.at(0, 0, 0), r, hd.GROUND.at(0, 0, 0), normal=hd.Y)
+    contact = hd.Contact("track", power(hd.Parameter("K", "N/m^1.5", 1e8), 1.5))
+    with pytest.raises(hd.InputError) as error:
         scene(
-            (Planar("ride", GROUND, body, normal=Z),), (track,), contact, RollingWithoutSlip("tyre", "track", -1),
-            RollingWithoutSlip("other", "nothing"), KnifeEdge("skate", body.at(0, 0, 0), X, on=body),
+            (hd.Planar("ride", hd.GROUND, body, normal=hd.Z),), (track,), contact, hd.RollingWithoutSlip("tyre", "track", -1),
+            hd.RollingWithoutSlip("other", "nothing"), hd.KnifeEdge("skate", body.at(0, 0, 0), hd.X, on=body),
         )  # fmt: skip
     assert [(fault.where, fault.found) for fault in error.value.faults] == [
         ("effect tyre", "track at the same pair"),
@@ -270,7 +247,7 @@ def test_every_fault_of_rolling_and_edges_is_reported_at_once():
 
 
 def test_an_edge_moves_on_a_body():
-    body = Body("sleigh", m, m * r**2)
-    edge = KnifeEdge("skate", body.at(0, 0, 0), X, on="ice")
-    with pytest.raises(InputError, match="effect skate, on: found 'ice'; expected a Body or GROUND"):
-        scene((Planar("ride", GROUND, body, normal=Z),), (), edge)
+    body = hd.Body("sleigh", m, m * r**2)
+    edge = hd.KnifeEdge("skate", body.at(0, 0, 0), hd.X, on="ice")
+    with pytest.raises(hd.InputError, match="effect skate, on: found 'ice'; expected a Body or GROUND"):
+        scene((hd.Planar("ride", hd.GROUND, body, normal=hd.Z),), (), edge)
