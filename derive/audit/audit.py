@@ -10,8 +10,7 @@ import sympy as sp
 
 from hertzwerk.derive.audit.contact_forms import advice
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.derive.common.markup import tag
-from hertzwerk.derive.common.plain_table import coloured, heading, table
+from hertzwerk.derive.common.markup import coloured, heading, table, tag
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.expressions.dimension.culprit import Culprit, Row, culprits, likeliest, powers_in, sentence

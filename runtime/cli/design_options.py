@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from inspect import signature
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
+from hertzwerk.derive.common.toml_file import read_toml
 from hertzwerk.runtime.cli.target_options import Variation, assignments, run_settings
+from hertzwerk.runtime.engine.inputs.input_values import located
+from hertzwerk.runtime.engine.model.build import located_target
 from hertzwerk.runtime.system.digests import record_text
 
 if TYPE_CHECKING:
@@ -28,8 +32,6 @@ def definition(
     """
     faults: list[Fault] = []
     if target.endswith(".toml"):
-        from hertzwerk.runtime.cli.design_file import read_definition
-
         stated = [f"--{name.replace('_', '-')}" for name, value in options.items() if value not in (None, (), False)]
         if stated:
             actual, expected = f"{', '.join(stated)} beside it", "the whole definition there"
@@ -78,3 +80,30 @@ def keep(result: Propagated | Minimum, folder: Path, name: str) -> list[str]:
     folder.mkdir(parents=True, exist_ok=True)
     write(folder / f"{name}.json", record_text(content).encode(), overwrite=True)
     return failures_of(f"{name}.png", lambda: result.plot().savefig(folder / f"{name}.png"))
+
+
+# -- files that define a propagation or a minimisation: TOML with the keys of the function -----------------------------
+
+
+OF_SCENE = ("without", "laws", "coordinates")
+NOT_IN_FILES = ("functions", "compiled", "workers", "client", "out", "widen", "progress")
+
+
+def read_definition(path: Path, function: Callable[..., Any], required: tuple[str, ...]) -> dict[str, Any]:
+    """Return the arguments of a function, and the target with its variation, that a file states.
+
+    Files are named relative to its folder. Raises InputError for keys that are unknown or missing; what values mean is
+    checked by the function.
+    """
+    content = read_toml(path, ", ".join(required))
+    known = (*OF_SCENE, *(name for name in signature(function).parameters if name not in NOT_IN_FILES))
+    faults = [unknown("key", name, known) for name in content if name not in known]
+    faults += [Fault(name, "none", f"a file with {', '.join(required)}") for name in required if name not in content]
+    target = content.get("target", "")
+    if not isinstance(target, str):
+        faults.append(Fault("target", shown(target), "the name of a scene, or its file"))
+    refuse(str(path), faults)
+    content["target"] = located_target(target, path.parent)
+    if isinstance(inputs := content.get("inputs"), Mapping):
+        content["inputs"] = {n: located(x, path.parent) if isinstance(x, str) else x for n, x in inputs.items()}
+    return content

@@ -14,8 +14,7 @@ from hertzwerk.runtime.system.digests import read_sealed
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.model import EngineModel
-    from hertzwerk.runtime.output.reports.html_page import Origin
-    from hertzwerk.runtime.output.reports.html_table import Cell
+    from hertzwerk.runtime.output.reports.html_page import Cell, Origin
     from hertzwerk.runtime.simulation import Solution
 
 

@@ -5,7 +5,7 @@ Effects that are not declared do not exist downstream.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, Literal, TypeVar
@@ -15,6 +15,7 @@ import sympy as sp
 from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
 from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.common.identifiers import repeated
+from hertzwerk.derive.common.markup import Markup, heading, joined, titled
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.derive.declare.effects.contacts import Contact, Friction
 from hertzwerk.derive.declare.effects.drives import AnyDrive
@@ -30,7 +31,6 @@ from hertzwerk.derive.declare.mechanism.outline import Outline
 from hertzwerk.derive.declare.mechanism.pair import Pair
 from hertzwerk.derive.declare.scene.checks.check import faults_of
 from hertzwerk.derive.declare.scene.scales import Scales
-from hertzwerk.derive.declare.scene.scene_html import scene_html
 from hertzwerk.derive.declare.scene.start import Start
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
 from hertzwerk.derive.expressions.parameter import (
@@ -412,3 +412,35 @@ class Scene:
                 if derivatives > inputs.get(signal.name, (0, slot))[0]:
                     inputs[signal.name] = derivatives, slot
         return inputs
+
+
+# -- scenes as notebooks show them: bodies and joints, pairs, effects with their laws, parameters ----------------------
+
+
+def scene_html(
+    name: str, summary: str, mechanism: Mechanism, effects: tuple[Effect, ...], parameters: Iterable[Parameter]
+) -> Markup:
+    """Everything that a scene declares, as tables."""
+    sizes = {"body": mechanism.bodies, "joint": mechanism.joints, "pair": mechanism.pairs, "effect": effects}
+    plural = {"body": "bodies"}
+    counts = ", ".join(
+        f"{len(parts)} {kind if len(parts) == 1 else plural.get(kind, f'{kind}s')}" for kind, parts in sizes.items()
+    )
+    joints = [
+        (joint.name, type(joint).__name__, f"{joint.parent.body.name} → {joint.child.body.name}",
+         ", ".join(port.name for freedom in joint.freedoms for port in freedom.coordinates))
+        for joint in mechanism.joints
+    ]  # fmt: skip
+    pairs = [
+        (pair.name, type(pair).__name__, " and ".join(place.body.name for place in pair.places))
+        for pair in mechanism.pairs
+    ]
+    rows = [(effect.name, effect.kind, effect.text) for effect in effects]
+    values = [(p.name, f"{p.default:.6g}", p.unit, p.meaning) for p in parameters]
+    return joined([
+        heading(name, summary, f" ({counts})", good=True),
+        titled("Joints", ("joint", "kind", "from, to", "coordinates"), joints),
+        titled("Pairs", ("pair", "kind", "between"), pairs),
+        titled("Effects", ("effect", "kind", "what it is"), rows),
+        titled("Parameters", ("parameter", "value", "unit", "meaning"), values),
+    ])  # fmt: skip

@@ -22,7 +22,6 @@ from hertzwerk.derive.exchange.law_sheets.free_impact import (
     restitution_out,
     restitution_symbol,
 )
-from hertzwerk.derive.exchange.law_sheets.reconstruction_band import DEFAULT_PAIRS, Band, band_of
 from hertzwerk.derive.expressions.algebra.notation import latex_name, latex_of, text_of
 from hertzwerk.derive.expressions.dimension.dimension import ONE
 from hertzwerk.derive.expressions.parameter import Interval
@@ -47,6 +46,62 @@ from hertzwerk.derive.laws.smoothing import begun
 from hertzwerk.derive.program.emit.cost import operations
 from hertzwerk.derive.program.expression_text import expression_text
 from hertzwerk.derive.program.program import PARAMETER, Function, Result, Tape, eliminate_common_subexpressions
+
+PER_DECADE, FIRST, DECADES = 8, -8, 4  # penetrations of 10 nm to 0.1 mm
+DEFAULT_PAIRS = ("pin_in_bush",)  # of the example of a law that holds for every pair
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """Forces [N] and local exponents dlnF/dlnd of one candidate, at the penetrations of the band."""
+
+    law: str
+    forces: tuple[float, ...]
+    exponents: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Band:
+    """All candidates at the same penetrations [m], for the example of the sheet."""
+
+    penetrations: tuple[float, ...]
+    candidates: tuple[Candidate, ...]
+
+    @property
+    def spread(self) -> tuple[float, ...]:
+        """Ratio of the largest to the smallest force at each penetration."""
+        columns = zip(*(candidate.forces for candidate in self.candidates), strict=True)
+        return tuple(max(column) / min(column) for column in columns)
+
+
+def band_of(law: StiffnessLaw) -> Band | None:
+    """Band of a law of grade R; None for other laws."""
+    if law.grade != "R":
+        return None
+    depths = tuple(10 ** (FIRST + k / PER_DECADE) for k in range(DECADES * PER_DECADE + 1))
+    return Band(depths, tuple(_candidate(other, _example(other, law.pairs), depths) for other in _candidates(law)))
+
+
+def _candidates(law: StiffnessLaw) -> list[StiffnessLaw]:
+    """Reconstructions that are alternatives to the law, itself first."""
+    places = set(law.pairs or DEFAULT_PAIRS)
+    others = [
+        other
+        for other in LAWS.values()
+        if isinstance(other, StiffnessLaw) and other.grade == "R" and (not other.pairs or places & set(other.pairs))
+    ]
+    return [law, *(other for other in others if other is not law)]
+
+
+def _candidate(law: StiffnessLaw, values: Mapping[Any, Any], depths: tuple[float, ...]) -> Candidate:
+    slope = sp.diff(law.force, d)
+    with mp.workdps(30):
+        rows = [(x, *(evaluate(e, {**values, d: x}) for e in (law.force, slope))) for x in map(mpf, depths)]
+        return Candidate(law.name, tuple(float(f) for _, f, _ in rows), tuple(float(x * k / f) for x, f, k in rows))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 RELEASES = {
     "force": "the contact ends where the normal force falls to zero",
@@ -188,9 +243,7 @@ def sheet(law: Law) -> Sheet:
         local_exponent=_constant_exponent(law) if isinstance(law, StiffnessLaw) else "",
         example=_example_text(law) if example else "",
         points=tuple(_points(law, example)) if isinstance(law, StiffnessLaw) and example else (),
-        band=band_of(law, lambda other: _example(other, law.pairs))
-        if isinstance(law, StiffnessLaw) and example
-        else None,
+        band=band_of(law) if isinstance(law, StiffnessLaw) and example else None,
         restitution=_restitution(law) if isinstance(law, DampingLaw) and restitution_symbol(law) else None,
         operations=operations_of(law),
     )

@@ -16,7 +16,7 @@ from hertzwerk.derive.audit.audit import audit_laws, audit_program, refuse_incon
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.equations.derivation import derive, program_with_motion
 from hertzwerk.derive.equations.module.module_tables import meanings_of
-from hertzwerk.derive.exchange.readable_equations.attribution import Attribution, sources
+from hertzwerk.derive.exchange.readable_equations.attribution import Attribution, Marked, marked, sources
 from hertzwerk.derive.exchange.readable_equations.drafts import (
     ENERGY,
     KINEMATICS,
@@ -29,7 +29,6 @@ from hertzwerk.derive.exchange.readable_equations.drafts import (
     Part,
     multiplier,
 )
-from hertzwerk.derive.exchange.readable_equations.effect_marks import Marked, marked
 from hertzwerk.derive.exchange.readable_equations.readable_record import (
     EffectEntry,
     Equation,

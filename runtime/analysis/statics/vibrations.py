@@ -21,7 +21,7 @@ import scipy.linalg
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown
-from hertzwerk.derive.common.plain_table import heading, table
+from hertzwerk.derive.common.markup import heading, table
 from hertzwerk.runtime.analysis.statics.balance import RANK, UNDAMPED, kernel
 from hertzwerk.runtime.analysis.statics.equilibrium import Equilibrium, equilibrium, inputs_at
 from hertzwerk.runtime.engine.inputs.input_values import Input

@@ -6,8 +6,16 @@ from typing import TYPE_CHECKING
 
 from hertzwerk.derive.common.markup import joined
 from hertzwerk.runtime.output.reports import scene_sections
-from hertzwerk.runtime.output.reports.html_page import Origin, Section, bullets, facts, page
-from hertzwerk.runtime.output.reports.html_table import number_text, table, unit_markup
+from hertzwerk.runtime.output.reports.html_page import (
+    Origin,
+    Section,
+    bullets,
+    facts,
+    number_text,
+    page,
+    table,
+    unit_markup,
+)
 from hertzwerk.runtime.system.versions import versions
 
 if TYPE_CHECKING:

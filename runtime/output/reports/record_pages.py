@@ -8,16 +8,19 @@ from typing import Any
 
 from hertzwerk.derive.common.markup import Markup, embedded, joined, tag
 from hertzwerk.runtime.output.reports.html_page import (
+    Cell,
     Origin,
     Section,
     bullets,
     facts,
     guarded,
+    number_text,
     page,
     paragraphs,
+    table,
+    unit_markup,
     verdict,
 )
-from hertzwerk.runtime.output.reports.html_table import Cell, number_text, table, unit_markup
 from hertzwerk.runtime.output.reports.inline_svg import picture
 from hertzwerk.runtime.system.digests import read_sealed
 

@@ -17,16 +17,19 @@ from hertzwerk.runtime.engine.run.continuation import parameters_of
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 from hertzwerk.runtime.output.reports import scene_sections
 from hertzwerk.runtime.output.reports.html_page import (
+    Cell,
     Origin,
     Section,
     bullets,
     facts,
     guarded,
+    number_text,
     page,
     paragraphs,
+    table,
+    unit_markup,
     verdict,
 )
-from hertzwerk.runtime.output.reports.html_table import Cell, number_text, table, unit_markup
 from hertzwerk.runtime.system.versions import versions
 
 if TYPE_CHECKING:

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 
 from hertzwerk.derive.common import mathml
 from hertzwerk.derive.common.markup import Markup, joined, tag
-from hertzwerk.runtime.output.reports.html_page import Section, bullets, guarded, paragraphs
-from hertzwerk.runtime.output.reports.html_table import Cell, table, unit_markup
+from hertzwerk.runtime.output.reports.html_page import Cell, Section, bullets, guarded, paragraphs, table, unit_markup
 from hertzwerk.runtime.output.reports.inline_svg import picture
 
 if TYPE_CHECKING:

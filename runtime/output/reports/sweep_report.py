@@ -9,8 +9,18 @@ from typing import TYPE_CHECKING, Any
 from hertzwerk.derive.common.markup import Markup, joined
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.output.reports import scene_sections
-from hertzwerk.runtime.output.reports.html_page import Origin, Section, bullets, facts, page, paragraphs, verdict
-from hertzwerk.runtime.output.reports.html_table import Cell, number_text, table
+from hertzwerk.runtime.output.reports.html_page import (
+    Cell,
+    Origin,
+    Section,
+    bullets,
+    facts,
+    number_text,
+    page,
+    paragraphs,
+    table,
+    verdict,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

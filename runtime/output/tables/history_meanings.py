@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from hertzwerk.derive.common.plain_table import table
+from hertzwerk.derive.common.markup import table
 from hertzwerk.runtime.engine.model.derived_histories import readings_of
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution.history import acceleration_of, constraint_force, friction_force, units_of

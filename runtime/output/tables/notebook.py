@@ -6,8 +6,7 @@ import io
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from hertzwerk.derive.common.markup import Markup, embedded, joined, tag
-from hertzwerk.derive.common.plain_table import OTHER, heading, table, titled
+from hertzwerk.derive.common.markup import OTHER, Markup, embedded, heading, joined, table, tag, titled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -13,18 +13,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.derive.common.markup import joined, tag
-from hertzwerk.derive.common.plain_table import heading, table
+from hertzwerk.derive.common.markup import heading, joined, table, tag
 from hertzwerk.runtime.engine.model.free_quantities import Free
 from hertzwerk.runtime.engine.model.si_values import open_exponents
 from hertzwerk.runtime.simulation import Solution
 from hertzwerk.runtime.studies.comparison.comparison_request import Channel
 from hertzwerk.runtime.studies.comparison.residuals import Residual
 from hertzwerk.runtime.studies.fitting.experiment import Observed
-from hertzwerk.runtime.studies.fitting.identifiability import Identified
-from hertzwerk.runtime.studies.fitting.intervals import LEVEL, Interval
-from hertzwerk.runtime.studies.uncertainty.correlated import Correlated
-from hertzwerk.runtime.studies.uncertainty.distributions import Distribution, LogNormal, Normal, TruncatedNormal
+from hertzwerk.runtime.studies.fitting.intervals import LEVEL, Identified, Interval
+from hertzwerk.runtime.studies.uncertainty.distributions import (
+    Correlated,
+    Distribution,
+    LogNormal,
+    Normal,
+    TruncatedNormal,
+)
 from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:

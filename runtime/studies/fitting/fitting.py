@@ -3,7 +3,7 @@
 1. request     what is free, measured runs, nuisance, options, with every fault        free_quantities, experiment
 2. forward     runs, what they predict, exact Jacobian                                 forward
 3. search      starts, windows, trust region                                           search
-4. identified  singular values, unidentifiable combinations                           identifiability
+4. identified  singular values, unidentifiable combinations                           intervals
 5. fitted      intervals, goodness of fit, residuals                                   intervals, fitted
 """
 
@@ -26,8 +26,7 @@ from hertzwerk.runtime.studies.comparison.comparison_request import Between, rea
 from hertzwerk.runtime.studies.comparison.residuals import residual_of
 from hertzwerk.runtime.studies.fitting.experiment import Observed, read_experiments
 from hertzwerk.runtime.studies.fitting.fit_result import CORRELATED, Fit, FittedSignal, FittedValue, Goodness
-from hertzwerk.runtime.studies.fitting.identifiability import identified
-from hertzwerk.runtime.studies.fitting.intervals import intervals
+from hertzwerk.runtime.studies.fitting.intervals import identified, intervals
 from hertzwerk.runtime.studies.fitting.least_squares import Estimate, Search
 from hertzwerk.runtime.studies.fitting.predictions import Forward
 from hertzwerk.runtime.system.arrays import Array

@@ -17,9 +17,8 @@ from typing import Any
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
-from hertzwerk.derive.common.markup import joined
+from hertzwerk.derive.common.markup import heading, joined, table
 from hertzwerk.derive.common.module_format import without_scene
-from hertzwerk.derive.common.plain_table import heading, table
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.fitting.fit_result import Fit

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hertzwerk.derive.common.markup import joined, tag
-from hertzwerk.derive.common.plain_table import heading, table
+from hertzwerk.derive.common.markup import heading, joined, table, tag
 from hertzwerk.runtime.system.digests import finite
 
 if TYPE_CHECKING:

@@ -11,7 +11,6 @@ import numpy as np
 
 from hertzwerk.runtime.output.plots.curves import impact_curves
 from hertzwerk.runtime.simulation import simulate
-from hertzwerk.runtime.studies.paper.stoppable_cases import until_stopped, whole
 from hertzwerk.runtime.studies.paper.study_page import (
     Axis,
     Cell,
@@ -25,7 +24,7 @@ from hertzwerk.runtime.studies.paper.study_page import (
     Verdict,
 )
 from hertzwerk.runtime.studies.paper.study_page import compared as compare
-from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
+from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps, until_stopped, whole
 from hertzwerk.runtime.system.arrays import Array
 
 LAWS = (

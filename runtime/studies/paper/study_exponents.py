@@ -30,10 +30,9 @@ from hertzwerk.runtime.studies.paper.crank_runs import (
     header,
     measure,
 )
-from hertzwerk.runtime.studies.paper.stoppable_cases import until_stopped, whole
 from hertzwerk.runtime.studies.paper.study_page import Axis, Chart, Curve, Page, Panel, Progress, Study, Table, Verdict
 from hertzwerk.runtime.studies.paper.study_page import compared as compare
-from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
+from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps, until_stopped, whole
 
 if TYPE_CHECKING:
     from hertzwerk.derive.exchange.law_sheets.law_comparison import ExponentUnit

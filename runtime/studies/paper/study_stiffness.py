@@ -24,7 +24,6 @@ from hertzwerk.runtime.studies.paper.crank_runs import (
     header,
     measure,
 )
-from hertzwerk.runtime.studies.paper.stoppable_cases import until_stopped, whole
 from hertzwerk.runtime.studies.paper.study_page import (
     Axis,
     Cell,
@@ -38,7 +37,7 @@ from hertzwerk.runtime.studies.paper.study_page import (
     Verdict,
 )
 from hertzwerk.runtime.studies.paper.study_page import compared as compare
-from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
+from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps, until_stopped, whole
 from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:

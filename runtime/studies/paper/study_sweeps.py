@@ -1,15 +1,18 @@
-"""Sweeps of a study, each stored in a folder of its own, so that the study goes on where it ended."""
+"""Sweeps of a study, each stored in a folder of its own, so that the study goes on where it ended; cases until Ctrl-C."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from hertzwerk.runtime.studies.sweeps.parameter_sweep import sweep
 from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep
 from hertzwerk.runtime.system.interrupt import raise_interrupts
 from hertzwerk.runtime.system.lazy import cached_property
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 
 class SweepStoppedError(Exception):
@@ -45,3 +48,34 @@ class Sweeps:
         if not table.outcome.finished:
             raise SweepStoppedError(f"{name}, after {len(table)} rows: {table.outcome.message}")
         return table
+
+
+# -- cases of a study, one after another, until Ctrl-C: what is done by then makes its page ----------------------------
+
+
+Case = TypeVar("Case")
+Row = TypeVar("Row")
+Run = TypeVar("Run", bound="EngineSolution")
+
+
+def until_stopped(
+    cases: Sequence[Case], row: Callable[[Case], Row], progress: Callable[[float], object]
+) -> tuple[list[Row], str]:
+    """Compute the rows of cases until Ctrl-C; return them, and a sentence where some are missing."""
+    rows: list[Row] = []
+    try:
+        with raise_interrupts():
+            for case in cases:
+                rows.append(row(case))
+                progress(len(rows) / len(cases))
+    except KeyboardInterrupt:
+        if len(rows) < len(cases):
+            return rows, f"stopped by the user: {len(rows)} of {len(cases)} cases are done, and these alone are shown"
+    return rows, ""
+
+
+def whole(run: Run) -> Run:
+    """Return a run that was not stopped; raises KeyboardInterrupt for another."""
+    if run.outcome.name == "interrupted":
+        raise KeyboardInterrupt
+    return run

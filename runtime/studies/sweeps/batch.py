@@ -50,8 +50,17 @@ from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design
 from hertzwerk.runtime.studies.sweeps.rows.row import TEXTS, Row
 from hertzwerk.runtime.studies.sweeps.rows.row_arrays import RowArrays
-from hertzwerk.runtime.studies.sweeps.rows.row_engine import EngineLostError, RowEngine, every_row
-from hertzwerk.runtime.studies.sweeps.rows.row_job import NO_NUMBER, Job, LocalFlag, Own, Task, Tasks
+from hertzwerk.runtime.studies.sweeps.rows.row_job import (
+    NO_NUMBER,
+    EngineLostError,
+    Job,
+    LocalFlag,
+    Own,
+    RowEngine,
+    Task,
+    Tasks,
+    every_row,
+)
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Output, finals, of_every_run, own
 from hertzwerk.runtime.studies.sweeps.sweep_table import COMPLETE, Sweep, columns_of
 from hertzwerk.runtime.system.forked_tasks import cores

@@ -56,7 +56,7 @@ from hertzwerk.runtime.studies.sweeps.points.sweep_definition import (
 )
 from hertzwerk.runtime.studies.sweeps.rows.row import TEXTS, Packed, Row
 from hertzwerk.runtime.studies.sweeps.rows.row_arrays import RowArrays, place_of, read_row_arrays
-from hertzwerk.runtime.studies.sweeps.rows.row_engine import EngineLostError
+from hertzwerk.runtime.studies.sweeps.rows.row_job import EngineLostError
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Output, chosen, derived_by, finals, own, text_behind
 from hertzwerk.runtime.studies.sweeps.stored_rows import HELD, ROWS, DamagedError, StoredRows
 from hertzwerk.runtime.studies.sweeps.sweep_store import TABLE, Store, opened

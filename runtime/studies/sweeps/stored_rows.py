@@ -17,9 +17,10 @@ import weakref
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass
+from hashlib import blake2b
 from itertools import chain, islice
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.solution.outcome import Outcome
@@ -27,8 +28,39 @@ from hertzwerk.runtime.studies.sweeps.points.design_points import Design
 from hertzwerk.runtime.studies.sweeps.points.sweep_definition import DEFINITION, design_of, read_definition
 from hertzwerk.runtime.studies.sweeps.rows.row import LOST, Packed, Row
 from hertzwerk.runtime.studies.sweeps.rows.row_arrays import place_of
-from hertzwerk.runtime.studies.sweeps.store_entries import POINT, ROW, SHORTEST, TABLES, Entry, digest_of, is_whole
 from hertzwerk.runtime.studies.sweeps.sweep_table import COMPLETE, Sweep
+
+TABLES = {
+    "points": "CREATE TABLE points (digest BLOB NOT NULL, number INTEGER PRIMARY KEY, key TEXT NOT NULL)",
+    "rows": "CREATE TABLE rows (digest BLOB NOT NULL, key TEXT PRIMARY KEY, outcome TEXT NOT NULL, message TEXT NOT NULL, "
+    "si TEXT NOT NULL, outputs TEXT NOT NULL, warnings TEXT NOT NULL, wall_s REAL, sizes TEXT NOT NULL, arrays BLOB NOT NULL)",
+}
+POINT, ROW = 3, 10  # columns
+SIZE, SHORTEST = 16, 64  # bytes of a digest; of a row, at least
+
+Entry: TypeAlias = tuple[Any, ...]
+
+
+def digest_of(rest: Entry, plan: str = "") -> bytes:
+    """Return the digest of the other columns, of which the last may be bytes; of a point with its plan."""
+    *plain, last = rest
+    content = last if isinstance(last, bytes) else f"{last!r} {plan}".encode()
+    return blake2b(repr(plain).encode() + content, digest_size=SIZE).digest()
+
+
+def is_whole(entry: Entry, plan: str = "") -> bool:
+    """Return whether the digest of an entry is that of the rest, of a point for a plan."""
+    return bool(entry[0] == digest_of(entry[1:], plan))
+
+
+def point_entry(plan: str, number: int, key: str) -> Entry:
+    """Return the entry of a point; `plan`: digest of its definition, as points of an earlier one are none."""
+    rest = (number, key)
+    return (digest_of(rest, plan), *rest)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 ROWS = "rows.sqlite"
 ASIDE = re.compile(r"rows\.damaged-(\d+)\.sqlite(-wal|-shm)?")

@@ -33,7 +33,6 @@ from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.runtime.studies.sweeps.points.sweep_definition import DEFINITION, differences, read_definition
 from hertzwerk.runtime.studies.sweeps.rows.row import LOST, Packed, Row
 from hertzwerk.runtime.studies.sweeps.rows.row_arrays import END
-from hertzwerk.runtime.studies.sweeps.store_entries import point_entry
 from hertzwerk.runtime.studies.sweeps.stored_rows import (
     ASIDE,
     INSERT,
@@ -47,6 +46,7 @@ from hertzwerk.runtime.studies.sweeps.stored_rows import (
     connected,
     make_tables,
     mended,
+    point_entry,
     row_entry,
     transaction,
 )

@@ -8,8 +8,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.markup import joined, tag
-from hertzwerk.derive.common.plain_table import heading, table
+from hertzwerk.derive.common.markup import heading, joined, table, tag
 from hertzwerk.runtime.engine.solution.solution import write
 from hertzwerk.runtime.system.digests import finite
 

@@ -22,8 +22,7 @@ from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.ranges import Range, hypercube
 from hertzwerk.runtime.studies.comparison.series_moments import QUANTILE
 from hertzwerk.runtime.studies.fitting.fit_result import Estimates, FittedValue, Goodness
-from hertzwerk.runtime.studies.fitting.identifiability import identified
-from hertzwerk.runtime.studies.fitting.intervals import LEVEL, Interval
+from hertzwerk.runtime.studies.fitting.intervals import LEVEL, Interval, identified
 from hertzwerk.runtime.studies.fitting.moments.measured_moments import (
     MeasuredSeries,
     SeriesMoments,

@@ -29,8 +29,7 @@ from hertzwerk.runtime.engine.model.generated_text import text_of
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.studies.sweeps.points.sweep_definition import LIBRARIES, versions
 from hertzwerk.runtime.studies.sweeps.rows.row import Row
-from hertzwerk.runtime.studies.sweeps.rows.row_engine import EngineLostError, every_row
-from hertzwerk.runtime.studies.sweeps.rows.row_job import Job, LocalFlag, Task, Tasks
+from hertzwerk.runtime.studies.sweeps.rows.row_job import EngineLostError, Job, LocalFlag, Task, Tasks, every_row
 
 AHEAD = 4  # tasks submitted per thread of a worker: keeps it busy, and a scheduler is not flooded
 LOOK = 1.0  # s between two looks at who is there

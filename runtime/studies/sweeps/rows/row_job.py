@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from itertools import islice
@@ -259,3 +259,43 @@ def _sent(
     choices: Choices,
 ) -> Job:
     return Job(model, settings, named(model, outputs), row_arrays, foreseen, stop, choices=choices)
+
+
+# -- engine of a batch: workers that do its tasks, wherever they are ---------------------------------------------------
+
+
+class EngineLostError(Exception):
+    """No worker is left, nor can there be others."""
+
+
+class RowEngine(Protocol):
+    """Workers side by side, and the rows they make.
+
+    workers    how many there are
+    """
+
+    workers: int
+
+    def rows(self, job: Job, tasks: Tasks) -> Generator[list[Row], None, None]:
+        """Yield the rows as they are done, some at a time; close it to end what is under way.
+
+        Raises InputError for input that is bad for every row, EngineLostError, and KeyboardInterrupt.
+        """
+
+
+def every_row(
+    job: Job, tasks: Tasks, together: Callable[[Tasks, list[Task]], Iterator[list[Row]]]
+) -> Iterator[list[Row]]:
+    """Yield the rows of all tasks: those that may have killed a worker are run again, each alone.
+
+    together    does tasks side by side, taking them from the first, and leaves in the list those under way when
+                a worker died
+    """
+    while tasks:
+        suspects: list[Task] = []
+        yield from together(tasks, suspects)
+        for task in suspects:
+            again: list[Task] = []
+            yield from together(Tasks([task]), again)
+            if again:
+                yield [job.lost(task)]

@@ -7,8 +7,7 @@ from hertzwerk.derive import LAWS, audit_scene
 from hertzwerk.derive.common.markup import Markup, joined
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.model.build import built_in_scenes, scene_from
-from hertzwerk.runtime.output.reports.html_page import Origin, Section, page
-from hertzwerk.runtime.output.reports.html_table import table
+from hertzwerk.runtime.output.reports.html_page import Origin, Section, page, table
 from hertzwerk.runtime.output.reports.model_report import model_page
 from hertzwerk.runtime.output.reports.run_report import run_page
 

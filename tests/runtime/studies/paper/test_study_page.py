@@ -260,7 +260,7 @@ CASES = """
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.paper.study_page import Page, Study, Table
-from hertzwerk.runtime.studies.paper.stoppable_cases import until_stopped, whole
+from hertzwerk.runtime.studies.paper.study_sweeps import until_stopped, whole
 
 def height(case):
     def stop(fraction):
