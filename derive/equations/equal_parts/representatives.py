@@ -10,13 +10,7 @@ from typing import Any
 from hertzwerk.derive.declare.effects.effect import CONTACT, DISSIPATED
 from hertzwerk.derive.equations.contact.contact_forces import PairKinematics
 from hertzwerk.derive.equations.equal_parts.equal_declarations import Alike, Kind, Meeting, Tree
-from hertzwerk.derive.equations.module import (
-    energy_functions,
-    motion_functions,
-    output_functions,
-    scale_functions,
-    start_functions,
-)
+from hertzwerk.derive.equations.module import motion_functions, output_functions, scale_functions
 from hertzwerk.derive.equations.module import pair_functions as pairs
 from hertzwerk.derive.equations.module.contents import refuse_idle, with_constants
 from hertzwerk.derive.equations.module.equation_system import System
@@ -39,10 +33,10 @@ def program_of_kinds(grouping: Alike) -> Program | None:
         return None
     refuse_idle(sample)
     functions = [
-        start_functions.start(whole),
+        motion_functions.start(whole),
         scale_functions.scales(whole),
         *of_kinds,
-        *([energy_functions.ledger(whole)] if grouping.scene.ledger else []),
+        *([motion_functions.ledger(whole)] if grouping.scene.ledger else []),
         *([scale_functions.speed_limits(whole)] if whole.limited else []),
         *([scale_functions.period(sample)] if sample.periodic is not None else []),
         _landmarks(whole, grouping),

@@ -9,14 +9,11 @@ import sympy as sp
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.derive.declare.effects.nonholonomic import RollingWithoutSlip
-from hertzwerk.derive.equations.module import energy_functions as energy
 from hertzwerk.derive.equations.module import (
-    loop_functions,
     motion_functions,
     output_functions,
     pair_functions,
     scale_functions,
-    start_functions,
 )
 from hertzwerk.derive.equations.module.equation_system import System
 from hertzwerk.derive.equations.module.module_tables import tables
@@ -28,7 +25,7 @@ from hertzwerk.derive.program.program import CONSTANT, Function, Program, Result
 def program_of(system: System) -> Program:
     """Every function of the module, and its tables; raises InputError if an effect changes no motion."""
     functions = [
-        start_functions.start(system),
+        motion_functions.start(system),
         *_placement(system),
         scale_functions.scales(system),
         motion_functions.coordinate_rates(system),
@@ -42,9 +39,9 @@ def program_of(system: System) -> Program:
             if system.loops and system.joints is not None and not (system.driven or system.carried)
             else []
         ),
-        *([loop_functions.constraints(system), loop_functions.projection(system)] if system.loops else []),
+        *([motion_functions.constraints(system), motion_functions.projection(system)] if system.loops else []),
         *([motion_functions.margins(system), motion_functions.jumps(system)] if system.events else []),
-        *([energy.ledger(system), energy.energy(system)] if system.scene.ledger else []),
+        *([motion_functions.ledger(system), motion_functions.energy(system)] if system.scene.ledger else []),
         output_functions.poses(system),
         output_functions.outputs(system),
         *([scale_functions.speed_limits(system)] if system.limited else []),
@@ -86,8 +83,8 @@ def _placement(system: System) -> list[Function]:
     joints = system.joints
     if joints is None:
         return []
-    functions = [start_functions.joint_scales(system, joints), start_functions.placed_bodies(system, joints)]
-    return [*functions, loop_functions.joint_constraints(system, joints)] if joints.loops else functions
+    functions = [motion_functions.joint_scales(system, joints), motion_functions.placed_bodies(system, joints)]
+    return [*functions, motion_functions.joint_constraints(system, joints)] if joints.loops else functions
 
 
 def _idle_fault(system: System, name: str) -> Fault:

@@ -1,4 +1,4 @@
-"""Equations of motion: kinematic equations, applied forces, accelerations; events of effects."""
+"""Functions of motion: start, kinematic equations, forces, accelerations, events, loops, energy."""
 
 from __future__ import annotations
 
@@ -8,8 +8,19 @@ import sympy as sp
 
 from hertzwerk.derive.declare.effects.gravity import Gravity
 from hertzwerk.derive.equations.module.equation_system import System
-from hertzwerk.derive.equations.module.labelled_results import MULTIPLIER_UNITS, SECOND_UNITS, of_loops, vector
+from hertzwerk.derive.equations.module.joint_coordinates import Joints
+from hertzwerk.derive.equations.module.labelled_results import (
+    MULTIPLIER_UNITS,
+    RATE_UNITS,
+    SECOND_UNITS,
+    VALUE_UNITS,
+    of_loops,
+    vector,
+)
+from hertzwerk.derive.equations.module.scale_functions import coordinate_sizes
+from hertzwerk.derive.equations.motion.absolute_coordinates import placed
 from hertzwerk.derive.equations.motion.kinematics import acceleration_of
+from hertzwerk.derive.equations.motion.loop_closure import Constraint
 from hertzwerk.derive.equations.motion.reaction_loads import Carried, Solved
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
 from hertzwerk.derive.program.program import Function, Result
@@ -216,4 +227,121 @@ def motion(system: System) -> Function:
             "bias", tuple(r.key for r in rows), tuple(r.unit for r in rows), tuple(map(system.equations.bias, rows))
         ),
         Result("held", tuple(held), ("",) * len(held), tuple(held.values())),
+    )
+
+
+# -- energy ledger (powers) and energies -------------------------------------------------------------------------------
+
+
+def ledger(system: System) -> Function:
+    """Power of the drives and force elements."""
+    power = [force * row.speed for force, row in zip(system.supplied, system.driven, strict=True)]
+    rows = {
+        f"{effect.name}.{quantity}": power
+        for effect, e in system.elements.items()
+        for quantity, power in e.powers.items()
+    }
+    if system.scene.ledger is not None:
+        rows[f"{system.scene.ledger.name}.input"] = sp.Add(*power)
+    values = [rows.get(name, sp.S.Zero) for name, _ in system.memory]
+    return system.function(
+        "ledger",
+        f"Power put in by drives, in its row of z{'; put in and dissipated by force elements, in theirs' if len(rows) > 1 else ''}.",
+        "t q u reactions c",
+        system.memory_rates(values),
+    )
+
+
+def energy(system: System) -> Function:
+    """Kinetic, potential and stored energy."""
+    stored = [pair.elastic(contact)[1] for pair, contact, _ in system.contacts]
+    kinetic = system.equations.kinetic()
+    potential = sp.Add(system.equations.potential(), *(e.stored for e in system.elements.values()))
+    return system.function(
+        "energy",
+        "Kinetic and potential energy, and the energy stored by each pair's stiffness.",
+        "t q u c",
+        Result("kinetic", ("kinetic",), ("J",), (kinetic,)),
+        Result("potential", ("potential",), ("J",), (potential,)),
+        system.of_pairs("stored", "J", stored),
+    )
+
+
+# -- constraints of the loops, and the projection of speeds onto them --------------------------------------------------
+
+
+def constraints(system: System) -> Function:
+    """Loop constraints and their rates."""
+    return _closed(system, "constraints", system.loops, "t q u c")
+
+
+def joint_constraints(system: System, joints: Joints) -> Function:
+    """Loop constraints of the declared scene, in joint coordinates."""
+    return _closed(system, "joint_constraints", joints.loops, "t joints joint_speeds c")
+
+
+def _closed(system: System, name: str, loops: tuple[Constraint, ...], arguments: str) -> Function:
+    return system.function(
+        name,
+        "Constraints, zero while the loops are closed, and their rates.",
+        arguments,
+        of_loops("phi", loops, [row.value for row in loops], VALUE_UNITS),
+        of_loops("dphi", loops, [row.rate for row in loops], RATE_UNITS),
+    )
+
+
+def projection(system: System) -> Function:
+    """Change of speeds that gives the constraints wanted rates."""
+    wanted = [
+        system.tape.input(
+            f"{row.name.replace('.', '_')}_wanted_rate", "wanted", Dimension.from_unit(RATE_UNITS[row.unit])
+        )
+        for row in system.loops
+    ]
+    return system.function(
+        "projection",
+        "Change of speeds, of least kinetic energy, for the wanted rates of the constraints, and their independence.",
+        "t q wanted c",
+        system.of_speeds("v", system.equations.projection(wanted)),
+        of_loops("independence", system.loops, system.equations.independence(), dict.fromkeys(RATE_UNITS, "1")),
+    )
+
+
+# -- initial state, and its conversion from joint to body coordinates --------------------------------------------------
+
+
+def start(system: System) -> Function:
+    """Initial state, in joint coordinates."""
+    of = system if system.joints is None else system.joints
+    initial, free = of.scene.start, of.scene.free
+    q = [sp.sympify(value) for freedom in free for value in initial.coordinates(freedom)]
+    q += [state.start for state in of.kin.drive_states]
+    q += [sp.sympify(state.start) for state in of.scene.states.values()]
+    u = [sp.sympify(value) for freedom in free for value in initial.speeds(freedom)]
+    return system.function(
+        "start", "Coordinates and speeds at t = 0.", "p", vector("q", of.coordinates, q), vector("u", of.speeds, u)
+    )
+
+
+def joint_scales(system: System, joints: Joints) -> Function:
+    """Scales of joint coordinates and speeds, for assembly at the start."""
+    sizes = joints.scene.scales.by_unit
+    return system.function(
+        "joint_scales",
+        "Scales of the joints' coordinates and speeds.",
+        "p",
+        vector("sq", joints.coordinates, coordinate_sizes(joints.scene, joints.coordinates)),
+        vector("su", joints.speeds, [sizes[unit] for _, unit in joints.speeds]),
+    )
+
+
+def placed_bodies(system: System, joints: Joints) -> Function:
+    """Body coordinates and speeds from those of the joints."""
+    q, u = placed(joints.absolute, joints.kin, system.kin)
+    return system.function(
+        "placed",
+        "Coordinates and speeds of the bodies, from those of the joints.",
+        "t joints joint_speeds c",
+        system.of_coordinates("q", q),
+        system.of_speeds("u", u),
     )

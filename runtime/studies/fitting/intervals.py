@@ -1,4 +1,4 @@
-"""Identifiability and confidence intervals of fitted quantities, by curvature or by profile likelihood."""
+"""Identifiability and confidence intervals of fitted quantities."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sweeps of a study, each stored in a folder of its own, so that the study goes on where it ended; cases until Ctrl-C."""
+"""Sweeps of a study, each stored in a folder of its own, and its cases, computed until Ctrl-C."""
 
 from __future__ import annotations
 
