@@ -146,8 +146,14 @@ def refuse_inconsistent(scene: Scene, findings: Iterable[Finding]) -> None:
 
 
 def advice_findings(scene: Scene) -> tuple[Finding, ...]:
-    """Objections to the scene's laws other than their units, and frequencies taken as angular speeds."""
+    """Advice: form of contact, pairs without effects, frequencies taken as angular speeds."""
     said = [("form of contact", text) for text in advice(scene)]
+    used = {name for effect in scene.effects for name in effect.pairs}
+    said += [
+        ("pair", f"pair {pair.name} has no Contact: its surfaces pass through each other")
+        for pair in scene.mechanism.pairs
+        if pair.name not in used
+    ]
     doubts: dict[Any, list[str]] = {}  # of many slots that share a value
     for slot in scene.slots():
         if slot.value not in doubts:

@@ -8,6 +8,7 @@ import pytest
 from click.testing import CliRunner
 
 import hertzwerk.derive as hd
+from hertzwerk.derive.audit.audit import advice_findings
 from hertzwerk.derive.audit.contact_forms import advice, fitting_laws, form_of
 from hertzwerk.derive.equations.derivation import audit_scene
 from hertzwerk.derive.laws import LAWS, hertz_point, power
@@ -179,3 +180,10 @@ def test_a_run_of_the_slider_crank_has_a_line_for_each_finding(tmp_path):
     assert len(run.advice) == 1
     run.save(tmp_path / "run.npz")
     assert type(run).load(tmp_path / "run.npz").advice == run.advice
+
+
+def test_a_pair_without_a_contact_is_advice():
+    """A ball fell through its floor without a word."""
+    (finding,) = advice_findings(scene_from("bouncing_ball").without("floor"))
+    assert "pair floor has no Contact" in finding.reason
+    assert advice_findings(scene_from("bicycle")) == ()  # its wheels roll in place of a contact
