@@ -83,15 +83,12 @@ def on_terminal(command, **environment):
     return read.decode().replace("\r\n", "\n")
 
 
-@pytest.mark.by_turns(4)
 @pytest.mark.parametrize(
     "command",
     [
         "list woodpecker",
         "laws",
-        "hardcases --list",
-        "laws flores",
-        pytest.param(HARDCASES, marks=pytest.mark.exhaustive),
+        *(pytest.param(line, marks=pytest.mark.exhaustive) for line in ("hardcases --list", "laws flores", HARDCASES)),
     ],
 )
 def test_commands_fit_80_columns(command):
