@@ -1,0 +1,187 @@
+"""Work and error of every setting of every peer on a problem, within a budget of time, as rows of a CSV file."""
+
+from __future__ import annotations
+
+import csv
+import gc
+import importlib
+import os
+import platform
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from datetime import date
+from importlib import metadata
+from importlib.util import find_spec
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import numpy as np
+from benchmarks.contact.problem import Problem, Result
+
+FOLDER = Path(__file__).parent
+PEERS = tuple(sorted(path.stem for path in (FOLDER / "peers").glob("*.py")))
+COLUMNS = [
+    "problem",
+    "peer",
+    "version",
+    "integrator",
+    "setting",
+    "error",
+    "impact_error",
+    "seconds",
+    "calls",
+    "outcome",
+    "date",
+    "load",
+    "machine",
+    "python",
+]
+SHARE = 0.002  # of the budget that one call may take at most
+SHORT = 5e-3  # s; shorter calls are repeated within a round up to this time
+ROUNDS = 7
+
+
+@dataclass
+class Measured:
+    """One setting: its call, the error of it, and processor times [s]."""
+
+    peer: Any
+    integrator: str
+    setting: float
+    run: Callable[[], Result] = field(repr=False)
+    error: float
+    impact_error: float
+    times: list[float]
+
+    def again(self) -> None:
+        """Measure one round."""
+        gc.collect()
+        calls, begin, own = 0, time.process_time(), []
+        while not calls or time.process_time() - begin < SHORT:
+            found = self.run()
+            calls += 1
+            own += [] if found.seconds is None else [found.seconds]
+        self.times.append(median(own) if own else (time.process_time() - begin) / calls)
+
+
+def installed(peer: Any) -> bool:
+    """Whether the package of a peer is there."""
+    return find_spec(getattr(peer, "MODULE", peer.PACKAGE)) is not None
+
+
+def peers(names: tuple[str, ...] = PEERS) -> list[Any]:
+    """Return the modules of the peers."""
+    return [importlib.import_module(f"benchmarks.contact.peers.{name}") for name in names]
+
+
+def measure(problem: Problem, chosen: list[Any], budget: float, rounds: int = ROUNDS) -> list[dict[str, Any]]:
+    """Return rows of COLUMNS; a peer that is missing, fails or does not state the problem has one row that says so.
+
+    Every setting is called once, from loose to tight, until a call takes SHARE of the budget [s]. Then all are called in turn.
+    """
+    rows, found = [], []
+    begin = time.process_time()
+    for peer in chosen:
+        if not installed(peer):
+            rows.append(row(problem, peer, outcome="missing: not installed"))
+            continue
+        stated = peer.settings(problem)
+        if not stated:
+            rows.append(row(problem, peer, outcome="not stated"))
+        for integrator, values in stated.items():
+            if time.process_time() - begin > budget:
+                rows.append(row(problem, peer, integrator, outcome="not measured: the budget was used up"))
+                continue
+            for one in attempts(problem, peer, integrator, values, budget * SHARE):
+                if isinstance(one, Measured):
+                    found.append(one)
+                else:
+                    rows.append(one)
+    for _ in range(rounds - 1):
+        if time.process_time() - begin > budget:
+            break
+        for one in found:
+            one.again()
+    for one in found:
+        numbers = {"error": f"{one.error:.3g}", "impact_error": f"{one.impact_error:.3g}"}
+        numbers |= {"seconds": f"{median(one.times):.4g}", "calls": str(len(one.times))}
+        rows.append(row(problem, one.peer, one.integrator, one.setting, "finished", **numbers))
+    return sorted(rows, key=lambda each: (each["peer"], each["integrator"]))
+
+
+def attempts(
+    problem: Problem, peer: Any, integrator: str, values: Any, longest: float
+) -> Iterator[Measured | dict[str, Any]]:
+    """Yield the settings of an integrator from loose to tight, failures as rows."""
+    exact = peer.limit(problem) if hasattr(peer, "limit") else None
+    failures = 0
+    for value in values:
+        try:
+            run = peer.prepare(problem, integrator, value)
+            # the first call warms: what is compiled or cached by it is not measured
+            one = Measured(peer, integrator, value, run, *problem.errors(run(), exact), [])
+            one.again()
+        except (ArithmeticError, RuntimeError, ValueError) as fault:
+            lines = str(fault).splitlines() or [type(fault).__name__]
+            yield row(problem, peer, integrator, value, f"failed: {lines[0][:80]}")
+            failures += 1
+            if failures == 3:
+                return
+            continue
+        if not np.isfinite(one.error):
+            yield row(problem, peer, integrator, value, "failed: not finite")
+            continue
+        yield one
+        if one.times[0] > longest:
+            return
+
+
+def row(
+    problem: Problem, peer: Any, integrator: str = "", setting: float | str = "", outcome: str = "", **numbers: str
+) -> dict[str, Any]:
+    """Return one row; versions and state of the machine are in each."""
+    version = metadata.version(peer.PACKAGE) if installed(peer) else ""
+    written = f"{setting:.2g}" if setting != "" else ""
+    return dict.fromkeys(COLUMNS, "") | {
+        "problem": problem.name,
+        "peer": peer.NAME,
+        "version": version,
+        "integrator": integrator,
+        "setting": written,
+        "outcome": outcome,
+        "date": date.today().isoformat(),
+        "load": f"{os.getloadavg()[0]:.1f}" if hasattr(os, "getloadavg") else "",
+        "machine": machine(),
+        "python": platform.python_version(),
+        **numbers,
+    }
+
+
+def machine() -> str:
+    """Return the processor and the number of cores."""
+    model = platform.processor() or platform.machine()
+    info = Path("/proc/cpuinfo")
+    if info.is_file():
+        named = [
+            line.split(":", 1)[1].strip() for line in info.read_text().splitlines() if line.startswith("model name")
+        ]
+        model = named[0] if named else model
+    return f"{model}, {os.cpu_count()} cores"
+
+
+def write(rows: list[dict[str, Any]], path: Path) -> None:
+    """Write rows as CSV, by a file of another name that replaces it."""
+    temporary = path.with_suffix(".part")
+    with temporary.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    temporary.replace(path)
+
+
+def read(path: Path) -> list[dict[str, str]]:
+    """Read rows of a CSV file."""
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))

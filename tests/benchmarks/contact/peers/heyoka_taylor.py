@@ -1,0 +1,67 @@
+"""heyoka: Taylor series of the order that its tolerance takes; terminal events switch contacts by parameters, as in its pages on event detection."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from benchmarks.contact.problem import Problem, Result
+from benchmarks.ratios import decades
+
+NAME, PACKAGE = "heyoka", "heyoka"
+LARGEST = 40  # contacts: each is an event of its own
+
+
+def settings(problem: Problem) -> dict[str, Sequence[float]]:
+    """Return the tolerances."""
+    return {"Taylor": decades(2, 16, 1)} if problem.contacts <= LARGEST else {}
+
+
+class Symbols:
+    """The functions that a problem's formulas need, of expressions."""
+
+    def __getattr__(self, name: str) -> Any:
+        import heyoka
+
+        return np.frompyfunc(getattr(heyoka, name), 1, 1)
+
+
+def prepare(problem: Problem, integrator: str, setting: float) -> Callable[[], Result]:
+    """Return the call that is measured; the integrator is compiled before it."""
+    import heyoka as hy
+
+    names = [f"y{i}" for i in range(len(problem.start))]
+    y = np.array([hy.expression(name) for name in names], dtype=object)
+    on = np.array([hy.par[i] for i in range(problem.contacts)], dtype=object)
+    rates = problem.rates(hy.time, y, on, Symbols())
+    onsets: list[float] = []
+
+    def switch(i: int) -> Callable[[Any, int], bool]:
+        def callback(integrator: Any, direction: int) -> bool:
+            integrator.pars[i] = float(direction < 0)
+            if direction < 0:
+                onsets.append(integrator.time)
+            return True
+
+        return callback
+
+    gaps = problem.gaps(hy.time, y, Symbols())
+    events = [hy.t_event(gap, callback=switch(i)) for i, gap in enumerate(gaps)]
+    system = [(hy.expression(name), rate) for name, rate in zip(names, rates, strict=True)]
+    taylor = hy.taylor_adaptive(
+        system, list(problem.start), pars=[0.0] * problem.contacts, t_events=events, tol=setting
+    )
+    begins = np.array([value < 0 for value in problem.gaps(0.0, problem.start, np)], dtype=float)
+    times = np.concatenate(([0.0], problem.times))
+
+    def run() -> Result:
+        onsets.clear()
+        taylor.time, taylor.state[:], taylor.pars[:] = 0.0, problem.start, begins
+        taylor.reset_cooldowns()
+        outcome, *_, states = taylor.propagate_grid(times)
+        if outcome != hy.taylor_outcome.time_limit:
+            raise ArithmeticError(str(outcome))
+        return Result(states[1:, : problem.compared], lambda: np.array(onsets))
+
+    return run

@@ -1,0 +1,94 @@
+"""MuJoCo: its soft law of contact, which none of the problems has, measured against its own limit of small steps.
+
+Stiffness and damping per mass are given directly (negative `solref`), as its pages on solver parameters explain, with a constant impedance.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cache
+from typing import Any
+
+import numpy as np
+from benchmarks.contact.problem import Problem, Result
+from benchmarks.ratios import decades
+
+NAME, PACKAGE = "MuJoCo", "mujoco"
+INTEGRATORS = ("Euler", "RK4", "implicit", "implicitfast")
+DAMPING = 20.0  # 1/s
+LIMIT = 1e-5  # s, a tenth of the smallest step that is measured
+LARGEST = 12  # balls: the limit of more takes minutes
+
+
+def settings(problem: Problem) -> dict[str, Sequence[float]]:
+    """Return steps [s]."""
+    if problem.kind not in WORLDS or len(problem.start) > 2 * LARGEST:
+        return {}
+    return dict.fromkeys(INTEGRATORS, decades(2, 4, 3))
+
+
+@cache
+def limit(problem: Problem) -> Result:
+    """Return the solution of the smallest step."""
+    return prepare(problem, "RK4", LIMIT)()
+
+
+def balls(numbers: Any) -> tuple[str, slice]:
+    """Return the bodies of a world, and which of its coordinates are compared."""
+    surface = material(numbers, DAMPING)
+    bodies = "".join(
+        f'<body pos="{x} {y} {z}"><freejoint/><geom type="sphere" size="{numbers.radius}" mass="{numbers.mass}" {surface}/></body>'
+        for x, y, z in numbers.places
+    )
+    return f'<geom type="plane" size="9 9 1" {surface}/>{bodies}', slice(2, None, 7)
+
+
+def cradle(numbers: Any) -> tuple[str, slice]:
+    """Return the bodies of a world, and which of its coordinates are compared."""
+    surface = material(numbers, 0.0)
+    sphere = (
+        f'<geom type="sphere" pos="0 0 {-numbers.length}" size="{numbers.radius}" mass="{numbers.mass}" {surface}/>'
+    )
+    bodies = "".join(
+        f'<body pos="{i * numbers.pitch} 0 0"><joint type="hinge" axis="0 -1 0"/>{sphere}</body>'
+        for i in range(numbers.spheres)
+    )
+    return bodies, slice(None)
+
+
+def material(numbers: Any, damping: float) -> str:
+    """Return attributes of a geometry: stiffness and damping per mass."""
+    return f'solref="{-numbers.stiffness / numbers.mass} {-damping}" solimp="0.9 0.9 0.001" condim="1"'
+
+
+WORLDS: dict[str, Callable[[Any], tuple[str, slice]]] = {"balls": balls, "cradle": cradle}
+
+
+def prepare(problem: Problem, integrator: str, setting: float) -> Callable[[], Result]:
+    """Return the call that is measured; the model is compiled before it."""
+    import mujoco
+
+    numbers = problem.physics
+    world, coordinates = WORLDS[problem.kind](numbers)
+    # every sample after a whole number of steps
+    spacing = float(problem.grid[0])
+    steps = max(1, round(spacing / setting))
+    model = mujoco.MjModel.from_xml_string(
+        f'<mujoco><option timestep="{spacing / steps!r}" integrator="{integrator}" gravity="0 0 {-numbers.gravity}"/>'
+        f"<worldbody>{world}</worldbody></mujoco>"
+    )
+    data = mujoco.MjData(model)
+    places = [round(t / spacing) for t in problem.times]
+
+    def run() -> Result:
+        mujoco.mj_resetData(model, data)
+        if problem.kind == "cradle":
+            data.qpos[:] = problem.start[: len(data.qpos)]
+        states, at = [], 0
+        for place in places:
+            mujoco.mj_step(model, data, nstep=(place - at) * steps)
+            at = place
+            states.append(data.qpos[coordinates].copy())
+        return Result(np.array(states))
+
+    return run
