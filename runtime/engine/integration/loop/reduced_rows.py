@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,7 @@ NONE = -1  # column of the reduced model's state, of what it does not have
 
 
 class Columns:
-    """Places of the entries of a vector of a reduced model in that of the whole, as slices of both."""
+    """Places of the entries of a vector of a reduced model in that of the whole."""
 
     def __init__(self, own: Layout, whole: Layout, entries: dict[str, list[int]]) -> None:
         places = [
@@ -23,24 +22,7 @@ class Columns:
         self.size, self.others = whole.size, np.setdiff1d(np.arange(whole.size), places)
         self.own = np.full(whole.size, NONE)
         self.own[places] = np.arange(own.size)
-        breaks = [0, *(np.flatnonzero(np.diff(places) != 1) + 1).tolist(), len(places)]
-        self._slices = [
-            (slice(first, last), slice(places[first], places[first] + last - first))
-            for first, last in pairwise(breaks)
-            if last > first
-        ]
-
-    def gather(self, whole: np.ndarray, own: np.ndarray) -> np.ndarray:
-        """Take the entries of whole vectors (.., n)."""
-        for one, other in self._slices:
-            own[..., one] = whole[..., other]
-        return own
-
-    def scatter(self, own: np.ndarray, whole: np.ndarray) -> np.ndarray:
-        """Put the entries into whole vectors (.., n)."""
-        for one, other in self._slices:
-            whole[..., other] = own[..., one]
-        return whole
+        self.places = np.array(places)
 
 
 class ReducedRows:
@@ -75,7 +57,8 @@ class ReducedRows:
         read = np.empty((*own.shape[:-1], len(places)))
         if len(places) == self.columns.size:
             read[:] = others
-            return self.columns.scatter(own, read)
+            read[..., self.columns.places] = own
+            return read
         for i, (place, other) in enumerate(zip(places.tolist(), others.tolist(), strict=True)):
             read[..., i] = other if place == NONE else own[..., place]
         return read
@@ -99,7 +82,7 @@ class ReducedRows:
             )
             return rows.own if same else None
         same = bool(np.all(rows[:, self.columns.others] == self.others[self.columns.others]))
-        return self.columns.gather(rows, np.empty((len(rows), self.own.shape[1]))) if same else None
+        return rows[:, self.columns.places] if same else None
 
 
 Rows = np.ndarray | ReducedRows

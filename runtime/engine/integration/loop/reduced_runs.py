@@ -91,12 +91,14 @@ class _ReducedCaller(Caller):
     def __call__(self) -> list[Any]:
         """Evaluate on `inputs`; the states returned are overwritten by the next call."""
         for columns, own, whole in zip(self._columns, self._own, self.inputs, strict=True):
-            columns.gather(whole, own)
+            own[:] = whole[:, columns.places]
         self._evaluate()
         of_states, _, of_tally = self._columns
         (state,), _, tallied = self.inputs
         states, own_tally = self.results
-        return [ReducedRows(states, of_states, state.copy()), of_tally.scatter(own_tally, tallied.copy())]
+        tallied = tallied.copy()
+        tallied[:, of_tally.places] = own_tally
+        return [ReducedRows(states, of_states, state.copy()), tallied]
 
 
 class ReducingCallers(AutomaticCallers):
