@@ -268,7 +268,7 @@ def _fine(curve: Curve) -> tuple[tuple[float, ...], ...]:
 def _samples(curve: Curve) -> tuple[tuple[float, ...], bool]:
     """Parameters of samples, denser where the curve turns, and whether it is convex towards the outside."""
     rows = _fine(curve)
-    length = sum(math.hypot(b[1] - a[1], b[2] - a[2]) for a, b in pairwise(rows))
+    *_, length = accumulate(math.hypot(b[1] - a[1], b[2] - a[2]) for a, b in pairwise(rows))  # as `sum` before 3.12
     turns = [angle_between(a[3:5], b[3:5]) for a, b in pairwise(rows)]
     work = [
         max(abs(turn) / TURN, 1e-6) + math.hypot(b[1] - a[1], b[2] - a[2]) / length * PARTS
