@@ -645,7 +645,7 @@ static int simulate(Body *B, real *y) {
                 }
                 if (value_there > 0) continue;
             }
-            if (start <= 0) { /* it has just happened, and goes the other way: rounding, or at once again */
+            if (start <= tiny) { /* it has just happened, and goes the other way: rounding, or at once again */
                 if (value_there > -tiny || start < -tiny) continue;
                 when = 0, which = i;
                 continue;
