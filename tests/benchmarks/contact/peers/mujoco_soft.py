@@ -45,7 +45,7 @@ def balls(numbers: Any) -> tuple[str, slice]:
 
 def cradle(numbers: Any) -> tuple[str, slice]:
     """Return the bodies of a world, and which of its coordinates are compared."""
-    surface = material(numbers, 0.0)
+    surface = material(numbers, 1e-9)  # both numbers must be negative
     sphere = (
         f'<geom type="sphere" pos="0 0 {-numbers.length}" size="{numbers.radius}" mass="{numbers.mass}" {surface}/>'
     )
