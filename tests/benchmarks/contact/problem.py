@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -39,6 +39,7 @@ class Problem:
     compared    number of coordinates that are compared, the first of the state
     unit        of the error
     longest     step of the reference [s], within which no contact begins and ends
+    remark      sentence for the page
     margin      samples of which a gap is smaller are omitted, as an impact is near
     """
 
@@ -56,7 +57,7 @@ class Problem:
     longest: float = 2e-3
     margin: float = 0.0
     targets: tuple[float, ...] = (1e-3, 1e-5, 1e-7, 1e-9)
-    remarks: dict[str, str] = field(default_factory=dict)
+    remark: str = ""
 
     @cached_property
     def reference(self) -> Result:

@@ -119,7 +119,7 @@ def page() -> str:
             f"The error is the largest of all coordinates at the samples [{problem.unit}].",
             "",
         ]
-        parts += [*table(own, problem.targets), "", *verdict(own, problem.targets), *problem.remarks.values(), ""]
+        parts += [*table(own, problem.targets), "", *verdict(own, problem.targets), *filter(None, [problem.remark]), ""]
     return "\n".join(parts).rstrip() + "\n"
 
 

@@ -54,6 +54,9 @@ def problem(name: str, title: str, physics: Balls, grid: np.ndarray, **more: Any
     return Problem(name, title, "balls", physics, physics.start, grid, physics.rates, physics.gaps, n, n, **more)
 
 
+ALONE = "heyoka, SciPy and Exudyn have the contacts with the plane alone. The others have those of any two balls too."
+
+
 @cache
 def ball() -> Problem:
     physics = Balls(radius=0.1, places=((0.0, 0.0, 0.5),))
@@ -63,7 +66,9 @@ def ball() -> Problem:
 @cache
 def balls(n: int) -> Problem:
     physics = Balls(radius=FALLING.radius, places=tuple(map(FALLING.place, range(n))))
-    return problem(f"balls_{n}", f"{n} balls that fall onto a plane", physics, np.linspace(0, 0.5, 11)[1:])
+    return problem(
+        f"balls_{n}", f"{n} balls that fall onto a plane", physics, np.linspace(0, 0.5, 11)[1:], remark=ALONE
+    )
 
 
 PROBLEMS = {"ball": ball, **{f"balls_{n}": lambda n=n: balls(n) for n in (4, 12, 40, 100)}}
