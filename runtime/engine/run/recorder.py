@@ -75,7 +75,7 @@ class Recorder:
             except MemoryError as error:
                 if len(self._parts) < 2:
                     raise
-                self.error = error
+                self.error = error.with_traceback(None)  # whose frames would hold all parts
                 del self._parts[len(self._parts) // 2 :]
 
 
