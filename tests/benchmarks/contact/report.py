@@ -136,6 +136,7 @@ Peers differ in what they take. SciPy and heyoka take equations that a person wr
 The others take bodies.
 heyoka gains most where a force is a polynomial of the state, as the linear laws here are.
 MuJoCo has its own law of contact, so it is compared with its own limit of small steps.
+A dash means that no call within the time limit of the benchmark reached the error.
 
 Run the benchmark with `python tests/benchmarks/contact/run.py`. The README beside it explains how to add a peer by one file.
 """
