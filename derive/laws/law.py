@@ -465,11 +465,8 @@ _LETTERS = {"penetration": "d", "normal force": "F", "stored energy": "W", "damp
             "friction force": r"F_{\mathrm{t}}"}  # fmt: skip
 
 
-def law_html(law: Any, bound: Any = None) -> Markup:
-    """Title, formulas, parameters with their values where they are bound, source, note.
-
-    `law` is a Law, `bound` a BoundLaw of it: both import this file.
-    """
+def law_html(law: Law, bound: BoundLaw | None = None) -> Markup:
+    """Title, formulas, parameters with their values where they are bound, source, note."""
     parts = [heading(law.name, f"{law.kind} law, {law.verdict}", f": {law.title}", good=law.verdict == "consistent")]
     parts += [tag("p", formula) for formula in _formulas(law)]
     values = {} if bound is None else bound.binding
@@ -484,7 +481,7 @@ def law_html(law: Any, bound: Any = None) -> Markup:
     return joined(parts)
 
 
-def _formulas(law: Any) -> Iterator[Markup]:
+def _formulas(law: Law) -> Iterator[Markup]:
     """Yield each expression of a law, then its intermediate results."""
     for quantity, expression, unit in law.expressions():
         yield joined(

@@ -5,7 +5,7 @@ Effects that are not declared do not exist downstream.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, Literal, TypeVar
@@ -89,7 +89,7 @@ class Scene:
         refuse(f"scene {self.name}", faults)
 
     def _repr_html_(self) -> str:
-        return scene_html(self.name, self.summary, self.mechanism, self.effects, self.parameters.values())
+        return scene_html(self)
 
     def _at_parts(self) -> Iterator[Any]:
         """Yield the effects, those at a pair of several parts at each that has none of its own."""
@@ -417,10 +417,9 @@ class Scene:
 # -- scenes as notebooks show them: bodies and joints, pairs, effects with their laws, parameters ----------------------
 
 
-def scene_html(
-    name: str, summary: str, mechanism: Mechanism, effects: tuple[Effect, ...], parameters: Iterable[Parameter]
-) -> Markup:
+def scene_html(scene: Scene) -> Markup:
     """Everything that a scene declares, as tables."""
+    mechanism, effects = scene.mechanism, scene.effects
     sizes = {"body": mechanism.bodies, "joint": mechanism.joints, "pair": mechanism.pairs, "effect": effects}
     plural = {"body": "bodies"}
     counts = ", ".join(
@@ -436,9 +435,9 @@ def scene_html(
         for pair in mechanism.pairs
     ]
     rows = [(effect.name, effect.kind, effect.text) for effect in effects]
-    values = [(p.name, f"{p.default:.6g}", p.unit, p.meaning) for p in parameters]
+    values = [(p.name, f"{p.default:.6g}", p.unit, p.meaning) for p in scene.parameters.values()]
     return joined([
-        heading(name, summary, f" ({counts})", good=True),
+        heading(scene.name, scene.summary, f" ({counts})", good=True),
         titled("Joints", ("joint", "kind", "from, to", "coordinates"), joints),
         titled("Pairs", ("pair", "kind", "between"), pairs),
         titled("Effects", ("effect", "kind", "what it is"), rows),

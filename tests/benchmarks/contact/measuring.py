@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import gc
 import importlib
+import io
 import os
 import platform
 import time
@@ -19,6 +20,8 @@ from typing import Any
 
 import numpy as np
 from benchmarks.contact.problem import Problem, Result
+
+from hertzwerk.runtime.system.atomic_files import write_atomically
 
 FOLDER = Path(__file__).parent
 PEERS = tuple(sorted(path.stem for path in (FOLDER / "peers").glob("*.py")))
@@ -179,13 +182,12 @@ def machine() -> str:
 
 
 def write(rows: list[dict[str, Any]], path: Path) -> None:
-    """Write rows as CSV, by a file of another name that replaces it."""
-    temporary = path.with_suffix(".part")
-    with temporary.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-    temporary.replace(path)
+    """Write rows as CSV."""
+    text = io.StringIO()
+    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    write_atomically(path, text.getvalue().encode())
 
 
 def read(path: Path) -> list[dict[str, str]]:

@@ -68,14 +68,15 @@ def sides(rows: list[dict[str, Any]]) -> dict[str, tuple[list[dict[str, Any]], b
 
 def table(rows: list[dict[str, Any]], targets: tuple[float, ...]) -> list[str]:
     """Lines of a Markdown table: for each error the least processor time of each peer, the least of all in bold."""
-    chosen = {name: [best(own, target, how) for target in targets] for name, (own, how) in sides(rows).items()}
+    each = sides(rows)
+    chosen = {name: [best(own, target, how) for target in targets] for name, (own, how) in each.items()}
     least = [min((found[i] for found in chosen.values() if found[i]), default=None) for i in range(len(targets))]
     heads = [f"error at most {target:.0e}".replace("e-0", "e-") for target in targets]
     lines = ["| peer | " + " | ".join(heads) + " |", "|---|" + "---|" * len(targets)]
     absent = []
     for name, found in chosen.items():
         if not any(found):
-            own, how = sides(rows)[name]
+            own, how = each[name]
             absent.append((name, [r for r in own if how is None or r["integrator"].endswith(" compiled") == how]))
             continue
         cells = []

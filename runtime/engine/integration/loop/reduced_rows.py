@@ -77,12 +77,11 @@ class ReducedRows:
     def of(self, rows: np.ndarray | ReducedRows) -> np.ndarray | None:
         """Return the columns that are stored of other rows; None where these differ in another."""
         if isinstance(rows, ReducedRows):
-            same = rows.columns is self.columns and np.array_equal(
-                rows.others[self.columns.others], self.others[self.columns.others]
-            )
-            return rows.own if same else None
-        same = bool(np.all(rows[:, self.columns.others] == self.others[self.columns.others]))
-        return rows[:, self.columns.places] if same else None
+            own, others = rows.own if rows.columns is self.columns else None, rows.others
+        else:
+            own, others = rows[:, self.columns.places], rows
+        shared = self.columns.others
+        return own if np.all(others[..., shared] == self.others[shared]) else None
 
 
 Rows = np.ndarray | ReducedRows

@@ -115,7 +115,7 @@ def _contact_derivatives(model: EngineModel, pair: str) -> Any:
     one = ca.Function("of_pair", [t, y, m, c], [f, ca.jacobian(f, x), ca.jacobian(dz, x)])
     arguments, active = model.symbols("t y m c", ca.MX), ca.MX.sym("active")
     force, *derivatives = one(*arguments)
-    finite = [ca.if_else(active * (ca.fabs(each) < SINGULAR), each, 0) for each in derivatives]
+    finite = [_finite(each, active) for each in derivatives]
     return ca.Function("of_contact", [*arguments, active], [ca.if_else(active, force, 0), *finite])
 
 
@@ -473,7 +473,12 @@ def _nonzeros(matrix: Any) -> Any:
     return ca.vertcat(ca.SX(0, 1), *matrix.nonzeros())
 
 
+def _finite(x: Any, active: Any) -> Any:
+    """Return the entries that are finite while active, else 0."""
+    return ca.if_else(active * (ca.fabs(x) < SINGULAR), x, 0)
+
+
 def _masked_finite(matrix: Any, active: Any) -> Any:
     """Mask the entries of an SX matrix that are finite by `active`; the structure is kept."""
-    entries = [ca.if_else(active * (ca.fabs(x) < SINGULAR), x, 0) for x in matrix.nonzeros()]
+    entries = [_finite(x, active) for x in matrix.nonzeros()]
     return ca.SX(matrix.sparsity(), ca.vertcat(*entries)) if entries else matrix
