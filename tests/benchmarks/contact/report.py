@@ -27,6 +27,9 @@ COLOURS = {
 }
 
 
+IMPACTS = (1e-5, 1e-7, 1e-9, 1e-11)  # s
+
+
 class Best(NamedTuple):
     """Cheapest setting of a peer for an error."""
 
@@ -35,7 +38,7 @@ class Best(NamedTuple):
     setting: str
 
 
-def best(rows: list[dict[str, Any]], target: float, compiled: bool | None = None) -> Best | None:
+def best(rows: list[dict[str, Any]], target: float, compiled: bool | None = None, column: str = "error") -> Best | None:
     """Return the cheapest setting that meets the error, as do all tighter settings of its integrator; None if none does."""
     found = []
     for name in sorted({row["integrator"] for row in rows}):
@@ -43,7 +46,7 @@ def best(rows: list[dict[str, Any]], target: float, compiled: bool | None = None
             continue
         # tight to loose, so far as all meet it
         for row in sorted((r for r in finished(rows) if r["integrator"] == name), key=lambda r: float(r["setting"])):
-            if float(row["error"]) > target:
+            if not float(row[column]) <= target:  # nan: not reported
                 break
             found.append(Best(float(row["seconds"]), name, row["setting"]))
     return min(found, default=None)
@@ -66,10 +69,10 @@ def sides(rows: list[dict[str, Any]]) -> dict[str, tuple[list[dict[str, Any]], b
     return found
 
 
-def table(rows: list[dict[str, Any]], targets: tuple[float, ...]) -> list[str]:
+def table(rows: list[dict[str, Any]], targets: tuple[float, ...], column: str = "error") -> list[str]:
     """Lines of a Markdown table: for each error the least processor time of each peer, the least of all in bold."""
     each = sides(rows)
-    chosen = {name: [best(own, target, how) for target in targets] for name, (own, how) in each.items()}
+    chosen = {name: [best(own, target, how, column) for target in targets] for name, (own, how) in each.items()}
     least = [min((found[i] for found in chosen.values() if found[i]), default=None) for i in range(len(targets))]
     heads = [f"error at most {target:.0e}".replace("e-0", "e-") for target in targets]
     lines = ["| peer | " + " | ".join(heads) + " |", "|---|" + "---|" * len(targets)]
@@ -85,8 +88,8 @@ def table(rows: list[dict[str, Any]], targets: tuple[float, ...]) -> list[str]:
             cells.append(f"**{text}**" if one and one == first else text)
         lines.append(f"| {name} | " + " | ".join(cells) + " |")
     for name, own in absent:
-        worst = [float(row["error"]) for row in finished(own)]
-        why = f"smallest error {min(worst):.1e}" if worst else own[0]["outcome"] if own else "not measured"
+        errors = [float(row[column]) for row in finished(own)]
+        why = f"smallest error {min(errors):.1e}" if errors else own[0]["outcome"] if own else "not measured"
         lines.append(f"| {name} | {why} | " + " | ".join("" for _ in targets[1:]) + " |")
     return lines
 
@@ -121,6 +124,10 @@ def page() -> str:
             "",
         ]
         parts += [*table(own, problem.targets), "", *verdict(own, problem.targets), *filter(None, [problem.remark]), ""]
+        reported = {row["peer"] for row in own if row["impact_error"] not in ("", "nan")}
+        if reported:
+            parts += ["The largest error of an onset of an impact [s]. A peer without a row reports none:", ""]
+            parts += [*table([row for row in own if row["peer"] in reported], IMPACTS, "impact_error"), ""]
     return "\n".join(parts).rstrip() + "\n"
 
 
@@ -193,9 +200,9 @@ def pictures() -> None:
 
     results = measured()
     for name, rows in results.items():
-        figure, axes = pyplot.subplots(figsize=(7.5, 5), layout="constrained")
+        figure, axes = pyplot.subplots(figsize=(9, 5), layout="constrained")
         draw(axes, rows, PROBLEMS[name]())
-        axes.legend(fontsize=8)
+        figure.legend(fontsize=8, loc="outside right upper")
         figure.savefig(RESULTS / f"{name}.png", dpi=100)
         pyplot.close(figure)
     shown = [name for name in SHOWN if name in results]
