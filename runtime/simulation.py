@@ -40,8 +40,6 @@ from hertzwerk.runtime.engine.run.run_request import (
 )
 from hertzwerk.runtime.engine.run.run_warnings import (
     floored,
-    left_law,
-    lost_grip,
     open_forces,
     released,
     too_fast,
@@ -205,7 +203,7 @@ def _with_derivatives(run: Solution, names: Sequence[str]) -> Solution:
         return replace(run, derivatives=run.sensitivities(*names))
     except InputError as error:
         reason = "; ".join(f"no derivatives: {fault.found}; {fault.remedy}" for fault in error.faults)
-        return replace(run, warnings=(*run.warnings, reason))
+        return replace(run, engine=run.engine.with_warning(reason))
 
 
 def _solution_of(
@@ -238,6 +236,20 @@ def _solution_of(
             findings=trace.findings,
             scales=scales,
             checkpoint=checkpoint_of(model, trace.ending, run.request.initial),
+            known_warnings=(
+                *unchecked(model),
+                *open_forces(model, bound, run.request.q),
+                *(
+                    (*run.request.warnings, *released(model, trace.recorded.ends))
+                    if run.start is None
+                    else bound.warnings
+                ),
+                *floored(counted["floored"], run.floor),
+                *unsettled(counted["unsettled"]),
+                *too_fast(model, run.request.speed_limits, trace.tally),
+                *uncompiled(run.engine.code),
+                *warnings,
+            ),
         ),
         outcome=result,
         settings=RunSettings(
@@ -257,18 +269,6 @@ def _solution_of(
             wall_s=trace.ending.wall_s - trace.compile_s - trace.build_s,
             build_s=build_s + trace.build_s,
             compile_s=trace.compile_s,
-        ),
-        warnings=(
-            *unchecked(model),
-            *open_forces(model, bound, run.request.q),
-            *((*run.request.warnings, *released(model, trace.recorded.ends)) if run.start is None else bound.warnings),
-            *floored(counted["floored"], run.floor),
-            *left_law(model, trace.findings.lasting, trace.recorded.ends),
-            *unsettled(counted["unsettled"]),
-            *lost_grip(model, bound, trace.recorded.history),
-            *too_fast(model, run.request.speed_limits, trace.tally),
-            *uncompiled(run.engine.code),
-            *warnings,
         ),
         energy_residual=None if trace.balance is None else trace.balance.residual,
         error=None if ladder_result is None else ladder_result.error,
@@ -349,7 +349,7 @@ class Solution(plain_solution.EngineSolution):
             f"without an error estimate{before}"
         )
         part = _solution_of(run, trace, self.engine.scales, build_s)
-        return replace(part, warnings=(*part.warnings, note))
+        return replace(part, engine=part.engine.with_warning(note))
 
     def sensitivities(self, *names: str) -> Sensitivities:
         """Return the exact derivatives of this run by parameters and initial states, through its impacts.

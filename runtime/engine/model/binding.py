@@ -145,7 +145,7 @@ def _unit_fault(
 
 def named_values(where: str, values: object, faults: list[Fault]) -> Mapping[str, Value]:
     """Return values by name; anything but a mapping is appended to `faults`."""
-    if isinstance(values, Mapping):
+    if isinstance(values, (dict, Mapping)):
         return values
     faults.append(Fault(where, shown(values), 'values by name, such as {"clearance": "0.2 mm"}'))
     return {}
@@ -183,7 +183,8 @@ def si_of_all(where: str, unit: str, values: Any) -> np.ndarray:
         ) from None
     if of.exponents != parse_unit(unit).exponents:
         raise InputError(where, [Fault(where, f"{shown(values)}, which is {of}", f"a value in {unit}")])
-    return np.atleast_1d(np.asarray(of.to_si(1.0) * numbers if of.to_si(1.0) != 1 else numbers))
+    factor = of.to_si(1.0)
+    return np.atleast_1d(np.asarray(factor * numbers if factor != 1 else numbers))
 
 
 def read_time(where: str, text: str, expected: str, faults: list[Fault]) -> float:

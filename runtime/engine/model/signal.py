@@ -80,5 +80,5 @@ class Schedule:
 
 def digest_of(signals: Mapping[str, Signal]) -> str:
     """Digest of the values of all inputs; empty without any."""
-    parts = "".join(f"{name} {signals[name].digest} " for name in sorted(signals))
-    return hashlib.sha256(parts.encode()).hexdigest() if parts else ""
+    parts = [f"{name} {signals[name].digest} " for name in sorted(signals)]
+    return hashlib.sha256("".join(parts).encode()).hexdigest() if parts else ""

@@ -79,7 +79,7 @@ class Settings:
         """The accuracy as read; None where there is none, or no sound one."""
         return None if self.accuracy is None else read_accuracy(self.accuracy)
 
-    @property
+    @cached_property
     def limits(self) -> Limits:
         """Limits of steps and contacts of each run, of the wall time of all runs together."""
         steps, events, wall_time = (math.inf if limit is None else limit for _, limit in self._stated_limits)
@@ -99,7 +99,7 @@ class Settings:
     def sensitivity_faults(self, model: EngineModel) -> list[Fault]:
         """Return the faults of the names of derivatives."""
         names = self.sensitivities
-        if isinstance(names, str) or not isinstance(names, Sequence):
+        if isinstance(names, str) or not isinstance(names, (tuple, Sequence)):
             expected = 'names of parameters and initial states, such as ("restitution",)'
             return [Fault("sensitivities", shown(names), expected)]
         known = quantities(model) if names else {}
@@ -285,13 +285,13 @@ def _remembered(_: EngineModel) -> dict[Hashable, RunRequest]:
 
 def _key(value: object) -> Hashable:
     """Return a key that distinguishes 1, True, 1.0 and "1", 0.0 and -0.0; unique where none exists."""
-    if isinstance(value, Mapping):
-        return tuple((name, _key(each)) for name, each in value.items())
-    if isinstance(value, tuple):
-        return tuple(map(_key, value))
     if isinstance(value, float):
         return type(value), value.hex()
-    return (type(value), value) if isinstance(value, str | int | None) else object()
+    if isinstance(value, str | int | None):
+        return type(value), value
+    if isinstance(value, tuple):
+        return tuple(map(_key, value))
+    return tuple((name, _key(each)) for name, each in value.items()) if isinstance(value, (dict, Mapping)) else object()
 
 
 def read_duration(

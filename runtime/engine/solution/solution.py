@@ -27,6 +27,7 @@ from hertzwerk.runtime.engine.solution.impacts import Impact
 from hertzwerk.runtime.engine.solution.interval_sums import Sums
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.solution.step_observers import Choice, Findings
+from hertzwerk.runtime.engine.solution.step_warnings import left_law, lost_grip
 from hertzwerk.runtime.system.atomic_files import write_atomically
 from hertzwerk.runtime.system.lazy import cached_property
 from hertzwerk.runtime.system.result_folder import as_path
@@ -75,7 +76,8 @@ class RunSettings:
 class EngineRun:
     """Run as the engine has it: rows of its states, what was found in its steps, scales of its errors.
 
-    ends: rows of which the first and the last are the run's; checkpoint: state that a longer run continues from.
+    ends: rows of which the first and the last are the run's; checkpoint: state that a longer run continues from; known_warnings: those that need
+    not be found in the steps.
     """
 
     history: History
@@ -83,6 +85,17 @@ class EngineRun:
     findings: Findings
     scales: Scales
     checkpoint: Checkpoint | None = None
+    known_warnings: tuple[str, ...] = ()
+
+    @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        """Warnings found in the steps, now that they are read, and known ones."""
+        left = left_law(self.model, self.findings.lasting, self.ends)
+        return (*left, *lost_grip(self.model, self.history), *self.known_warnings)
+
+    def with_warning(self, text: str) -> EngineRun:
+        """Return the run with one more warning."""
+        return replace(self, known_warnings=(*self.known_warnings, text))
 
     @cached_property
     def shared_results(self) -> dict[type, object]:
@@ -129,7 +142,6 @@ class EngineSolution(Histories):
     settings    duration, accuracy or tolerance, method, compiled
     parameters    value and unit of every parameter by name
     statistics    its cost: steps, evaluations, times
-    warnings    what to heed
     energy_residual    largest error of the energy balance over the largest energy that the run moves. The error is |energy - initial energy +
         dissipated - input| of all accepted steps; the energy moved is kinetic, dissipated, put in, or change of potential, or a millionth of the
         scene's energy scale where that is more. None without a ledger, and where a failed run holds an energy that is not finite
@@ -141,9 +153,13 @@ class EngineSolution(Histories):
     settings: RunSettings
     parameters: Mapping[str, tuple[float, str]] = field(repr=False)
     statistics: Statistics
-    warnings: tuple[str, ...]
     energy_residual: float | None = None
     error: ErrorEstimate | None = field(default=None, repr=False)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Warnings about the run: what to heed."""
+        return self.engine.warnings
 
     @property
     def advice(self) -> tuple[str, ...]:
@@ -305,6 +321,7 @@ class EngineSolution(Histories):
             ),
             scales=Scales(**{name: np.array(values) for name, values in about["scales"].items()}),
             checkpoint=None if state is None else Checkpoint.saved(about["checkpoint"], state),
+            known_warnings=tuple(about["warnings"]),
         )
         return cls(
             engine=engine,
@@ -312,7 +329,6 @@ class EngineSolution(Histories):
             settings=RunSettings(**{each.name: about[each.name] for each in fields(RunSettings)}),
             parameters={name: (value, unit) for name, (value, unit) in about["parameters"].items()},
             statistics=Statistics(**about["statistics"]),
-            warnings=tuple(about["warnings"]),
             energy_residual=about["energy_residual"],
             error=about["error"] and ErrorEstimate.from_numbers(about["error"]),
         )

@@ -13,6 +13,7 @@ import numpy as np
 from hertzwerk.derive.common.faults import Fault, InputError, unknown
 from hertzwerk.runtime.engine.model.binding import Value, named_values, plain_value, read_state
 from hertzwerk.runtime.engine.model.model import BoundParameters, Dependent, EngineModel
+from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.si_values import latch_units
 from hertzwerk.runtime.engine.start.pair_values import pair_values
 from hertzwerk.runtime.engine.start.stated_start import as_stated
@@ -25,9 +26,15 @@ def split_values(model: EngineModel, values: Mapping[str, AnyValue]) -> tuple[di
 
     A name that is neither is left among the parameters.
     """
-    states = {*model.joints.coordinates, *model.joints.speeds, *model.latches}
+    states = _states(model)
     parameters = {name: value for name, value in values.items() if name not in states}
     return parameters, {name: value for name, value in values.items() if name in states}
+
+
+@per_model
+def _states(model: EngineModel) -> frozenset[str]:
+    """Return the names of the initial states of the joints."""
+    return frozenset((*model.joints.coordinates, *model.joints.speeds, *model.latches))
 
 
 def stated_values(

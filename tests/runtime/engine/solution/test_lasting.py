@@ -10,8 +10,8 @@ import hertzwerk.derive as hd
 from hertzwerk.derive.laws.law import APPROACH_SPEED, DampingLaw
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.model.caller import Caller
-from hertzwerk.runtime.engine.run.run_warnings import left_law
 from hertzwerk.runtime.engine.solution.contact_watch import LastingContacts
+from hertzwerk.runtime.engine.solution.step_warnings import left_law
 
 MASS, GRAVITY, DEPTH, POWER = 0.3, 9.81, 1e-4, 1.5  # kg, m/s^2, m of the penetration at rest, 1
 OMEGA = 200.0  # rad/s

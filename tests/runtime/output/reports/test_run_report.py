@@ -73,7 +73,7 @@ def test_hostile_texts_stay_texts(ball):
     model = engine_model(scene_from("soft_ball").named("soft_ball", HOSTILE))
     run = simulate(model, duration="0.5 s", tolerance=1e-6)
     outcome = replace(run.outcome, name="event_limit", message=UNPRINTABLE, remedy=UNPRINTABLE)
-    run = replace(run, warnings=(UNPRINTABLE,), outcome=outcome)
+    run = replace(run, engine=run.engine.with_warning(UNPRINTABLE), outcome=outcome)
     outline = Outline(run_report.run_page(run))
     assert len(outline.texts["script"]) == 1
     assert "img" not in outline.texts
@@ -93,7 +93,9 @@ def test_long_tables_say_where_the_whole_is(ball, no_pictures):
         ball,
         engine=replace(
             ball.engine,
-            findings=type("Many", (), {"impacts": ball.impacts * 250, "energy_residual": None, "choices": ()})(),
+            findings=type(
+                "Many", (), {"impacts": ball.impacts * 250, "energy_residual": None, "choices": (), "lasting": ()}
+            )(),
         ),
     )
     page = run_report.run_page(many, whole="there.npz")

@@ -48,7 +48,7 @@ def test_a_run_reports_outcome_parameters_and_impacts(tmp_path):
 
 def test_texts_of_a_result_are_no_tags():
     run = simulate(load("pendulum"), duration="0.1 s", tolerance=1e-6)
-    page = replace(run, warnings=("<script>alert(1)</script> & more",))._repr_html_()
+    page = replace(run, engine=run.engine.with_warning("<script>alert(1)</script> & more"))._repr_html_()
     assert "script" not in Cells(page).tags
     assert "<script>alert(1)</script> & more" in Cells(page).texts
 
