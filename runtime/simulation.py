@@ -180,9 +180,8 @@ def solving(
     scales = run.scales(tolerance)
     build_s = time.perf_counter() - began
     yield
-    run = replace(
-        run, deadline=time.perf_counter() + settings.limits.wall_time - build_s
-    )  # other runs have been made meanwhile
+    if settings.wall_time is not None:  # other runs have been made meanwhile
+        run = replace(run, deadline=time.perf_counter() + settings.limits.wall_time - build_s)
     if tolerance is not None:
         trace = run.trace(tolerance, scales, times, progress=progress)
         yield

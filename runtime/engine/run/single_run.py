@@ -140,7 +140,8 @@ class SingleRun:
         before = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
         ending = self.observe(tolerance, scales, observers, block, progress, 1.0 if checks is None else checks.shorter)
         compile_s, build_s = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
-        counted = {name: int(ending.last[row]) - self.initial_count(name) for name, row in self.engine.counters.items()}
+        gained = ending.last if self.start is None else ending.last - self.start.state
+        counted = {name: int(gained[row]) for name, row in self.engine.counters.items()}
         tallied = tally(self.model).layout.split(ending.tally)
         balance = None
         if self.model.has_ledger:

@@ -53,7 +53,7 @@ def checkpoint_of(model: EngineModel, ending: Ending, initial: Mapping[str, Valu
     """Return the checkpoint of a run; None where the method does not expose its state."""
     if ending.resume is None:
         return None
-    return Checkpoint(ending.resume, dict(layouts(model).state.sizes), digest(model), dict(initial))
+    return Checkpoint(ending.resume, layouts(model).state.sizes, digest(model), dict(initial))
 
 
 def digest(model: EngineModel) -> str:

@@ -1,4 +1,4 @@
-"""Warnings found in the steps of a run once they are read: those of short runs take as long as a third of their steps."""
+"""Warnings found in the steps of a run, once they are read."""
 
 from __future__ import annotations
 

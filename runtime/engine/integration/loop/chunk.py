@@ -15,7 +15,7 @@ from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
 from hertzwerk.runtime.engine.integration.loop.input_pieces import Pieces
 from hertzwerk.runtime.engine.integration.loop.method_choice import EXPLICIT, IMPLICIT, PATIENCE
 from hertzwerk.runtime.engine.integration.loop.near_list import Departures, renewed
-from hertzwerk.runtime.engine.integration.loop.reduced_rows import Rows
+from hertzwerk.runtime.engine.integration.loop.reduced_rows import Rows, first_of
 from hertzwerk.runtime.engine.integration.loop.tally import tally
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
 from hertzwerk.runtime.engine.integration.step.layout import CALM, FINISHED, RUNNING, STALE, SUSPECT, TOO_MANY_STEPS
@@ -259,14 +259,14 @@ class _March:
         status, timed = self._at["status"], self._provider.may_switch
         self._call.inputs[0][:], self._call.inputs[2][:] = self._state, self._tally
         began, clock = (time.thread_time(), time.perf_counter()) if timed else (0.0, 0.0)
+        states: Rows
         states, (tallied,) = self._call()
         if timed:
             self._spent += time.thread_time() - began
             self._clocked += time.perf_counter() - clock
         self.status, chooses = int(states[-1, status]), self._with_choice
         if self.status != RUNNING:  # attempts after the end repeat it
-            ended = states[:, status] != RUNNING
-            states = states.compress(np.cumsum(ended) - ended == 0, axis=0)
+            states = first_of(states, 1 + int((states[:, status] != RUNNING).argmax()))
         if self.status in (SUSPECT, CALM):
             chooses = self.status == SUSPECT
             self.status = states[-1, status] = RUNNING
@@ -312,10 +312,11 @@ class _March:
         if self.status == RUNNING and ROOM * h.max() < self._t_end - self._state[self._at["t"]]:
             self._resume = Resume(self._state, chooses)
             return
-        t = states[:, self._at["t"]]
-        bound = (states[:, self._at["status"]] != RUNNING) | (ROOM * h >= self._t_end - t)
-        self._free = not bound.any()
-        last = len(states) if self._free else int(bound.argmax())
+        bound = ROOM * h >= self._t_end - states[:, self._at["t"]]
+        bound[-1] |= self.status != RUNNING
+        last = int(bound.argmax())
+        self._free = not bound[last]
+        last = len(states) if self._free else last
         if last:
             self._resume = Resume(states[last - 1].copy(), chooses if self._free else self._with_choice)
 

@@ -87,6 +87,13 @@ class ReducedRows:
 Rows = np.ndarray | ReducedRows
 
 
+def first_of(rows: Rows, count: int) -> Rows:
+    """Return the first rows; a view of them."""
+    if isinstance(rows, ReducedRows):
+        return ReducedRows(rows.own[:count], rows.columns, rows.others)
+    return rows[:count]
+
+
 def joined(parts: Sequence[Rows]) -> Rows:
     """Return all rows in one piece, reduced where those of one reduced model suffice."""
     if ReducedRows in set(map(type, parts)):
