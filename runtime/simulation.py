@@ -57,7 +57,7 @@ from hertzwerk.runtime.engine.solution.outcome import not_closed
 from hertzwerk.runtime.engine.solution.solution import EngineRun, RunSettings, Statistics
 from hertzwerk.runtime.engine.solution.step_observers import Needs
 from hertzwerk.runtime.engine.start.start_values import stated_values
-from hertzwerk.runtime.loading import Model, Target, engine_model
+from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.output.tables import notebook
 from hertzwerk.runtime.output.tables.data_frame import data_frame
 from hertzwerk.runtime.output.tables.dataset import dataset
@@ -72,7 +72,7 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
     from hertzwerk.runtime.engine.sensitivity.lyapunov import Lyapunov
-    from hertzwerk.runtime.engine.sensitivity.sensitivities import Derivative, Sensitivities
+    from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities
 
 ACCURACY = Request(1e-6)  # where none is requested
 
@@ -115,8 +115,8 @@ def simulate(
     compiled    run the same functions as C, with bitwise the same result; "auto" compiles where the remaining time exceeds the compilation
     max_steps (accepted; as many may be rejected), max_events (contacts begun) of each run, wall_time [s] of the call, compilation included: limits,
                 each with an outcome of its own. Without max_steps a run ends as "stalled" where its steps make hardly any progress
-    sensitivities    parameters and initial states: `run.sensitivity("slider_pin.normal_force", "restitution")` is then a history, and
-                `run.derivatives` has the derivatives of impacts; both are computed after the run, from its steps
+    sensitivities    parameters and initial states: `run.derivatives["slider_pin.normal_force", "restitution"]` is then a history, computed
+                after the run, from its steps
     progress    a function that is called now and then with the fraction done
 
     Invalid input raises InputError with every fault. Nothing else raises: `Solution.outcome` states how the run ended. An exception during the run,
@@ -257,8 +257,8 @@ def _solution_of(
             tolerance=trace.tolerance,
             method=run.method,
             compiled=trace.compiled,
+            parameters=dict(bound.values),
         ),
-        parameters=dict(bound.values),
         statistics=Statistics(
             steps=counted["steps"],
             rejected=counted["rejected"],
@@ -282,11 +282,6 @@ class Solution(plain_solution.EngineSolution):
     """
 
     derivatives: Sensitivities | None = None
-
-    @property
-    def model(self) -> Model:
-        """The model that was run."""
-        return Model(self.engine.model)
 
     def extremes(self, name: str) -> Extremes:
         """Return the minimum and the maximum of a history, and their times, found within the steps.
@@ -335,8 +330,11 @@ class Solution(plain_solution.EngineSolution):
             whole, None, self.settings.tolerance, self.settings.method, compiled, grid, max_steps, max_events, wall_time
         )
         run_inputs, times = read(live, settings, parameters_of(self, live), checkpoint.initial)
-        if run_inputs.seconds <= self.t_end:
-            actual, expected = f"{run_inputs.seconds:g} s", f"more than the {self.t_end:g} s that the run reached"
+        if run_inputs.seconds <= self.engine.t_end:
+            actual, expected = (
+                f"{run_inputs.seconds:g} s",
+                f"more than the {self.engine.t_end:g} s that the run reached",
+            )
             raise InputError(live.name, [Fault("duration", actual, expected, "it is of the whole motion")])
         run = set_up(live, settings, run_inputs, checkpoint.resume, began=began)
         build_s = time.perf_counter() - began
@@ -363,19 +361,6 @@ class Solution(plain_solution.EngineSolution):
 
         history, bound, initial = self._from_its_start("sensitivities")
         return Sensitivities(history, bound, initial, names, compiled=self.settings.compiled)
-
-    def sensitivity(self, history: str, name: str) -> Derivative:
-        """Return the derivative of a history by a parameter or initial state, as a history with a unit.
-
-        Names that were requested of the run (`sensitivities=`) cost no more; others are found now. Raises KeyError for an
-        unknown history, InputError as `sensitivities` does.
-        """
-        if not isinstance(history, str) or history not in self:
-            self[history]
-        derivatives = self.derivatives
-        if derivatives is None or name not in derivatives.names:
-            derivatives = self.sensitivities(name)
-        return derivatives.history_of(history, name, None if self.engine.history.steps else self.t)
 
     def lyapunov(self, count: int = 1) -> Lyapunov:
         """Return the largest Lyapunov exponents, from the variational equations, through impacts.

@@ -189,8 +189,8 @@ def test_a_method(made, monkeypatch):
     errors = []
     for tolerance in (1e-6, 1e-9):
         run = simulate(model, duration=1.0, tolerance=tolerance, method="bogacki_shampine")
-        exact = simulate(model, duration=1.0, tolerance=1e-12, method="dop853").final["hinge.angle"]
-        errors.append((run.statistics.steps, abs(run.final["hinge.angle"] - exact)))
+        exact = simulate(model, duration=1.0, tolerance=1e-12, method="dop853").engine.final["hinge.angle"]
+        errors.append((run.statistics.steps, abs(run.engine.final["hinge.angle"] - exact)))
     (few, large), (many, small) = errors
     assert np.log(large / small) / np.log(many / few) == pytest.approx(3, abs=0.3)
     with pytest.raises(hd.InputError, match="bogacki_shampin"):

@@ -161,7 +161,7 @@ def _value_differences(before: Solution, model: EngineModel, values: Mapping[str
             faults += error.faults
             continue
         if other:
-            value, unit = before.parameters[name]
+            value, unit = before.settings.parameters[name]
             faults.append(Fault(f"--set {name}", text, f"{value:g} {unit}, as of the run there", REMEDY))
     stated = before.engine.checkpoint.initial if before.engine.checkpoint is not None else {}
     faults += [

@@ -23,25 +23,24 @@ from hertzwerk.runtime.system.versions import versions
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities
     from hertzwerk.runtime.engine.solution.averages import Average
-    from hertzwerk.runtime.engine.solution.solution import EngineSolution
+    from hertzwerk.runtime.simulation import Solution
 
 PICTURED = 24  # pairs up to which each gets a picture
 CSV_LIMIT = 50e6  # bytes: larger files are written only on request
 
 
-def summary(solution: EngineSolution, *, averages: bool = False) -> dict[str, Any]:
+def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
     """Return the content of `run --json`: plain numbers in SI, null for missing ones.
 
     averages: include them.
     """
-    statistics, error, derivatives = solution.statistics, solution.error, _derivatives(solution)
+    statistics, error, derivatives = solution.statistics, solution.error, solution.derivatives
     return {
         "scene": solution.engine.model.name,
         "outcome": solution.outcome.name,
         "t_start": solution.engine.t_start,
-        "t_end": solution.t_end,
+        "t_end": solution.engine.t_end,
         "duration": solution.settings.duration,
         "accuracy": solution.settings.accuracy,
         "tolerance": solution.settings.tolerance,
@@ -55,30 +54,24 @@ def summary(solution: EngineSolution, *, averages: bool = False) -> dict[str, An
             {"contact": i.contact, "t": i.t, "speed": i.speed, "peak_force": i.peak_force, "duration": i.duration}
             for i in solution.impacts
         ],
-        "final": solution.final,
+        "final": solution.engine.final,
         "energy_residual": solution.energy_residual,
         "error_estimate": error and error.judged,
         "horizon": error and error.horizon,
         "growth": error and error.growth,
         "decade_cost": error and error.decade_cost,
         "warnings": list(solution.warnings),
-        "advice": list(solution.advice),
+        "advice": list(solution.engine.advice),
         **({"averages": [asdict(average) for average in solution.averages()]} if averages else {}),
         **(
-            {"sensitivities": derivatives.record(solution.engine.states, solution.t_end)}
+            {"sensitivities": derivatives.record(solution.engine.states, solution.engine.t_end)}
             if derivatives is not None
             else {}
         ),
     }
 
 
-def _derivatives(solution: EngineSolution) -> Sensitivities | None:
-    """Return the derivatives that were requested of a run."""
-    derivatives: Sensitivities | None = getattr(solution, "derivatives", None)
-    return derivatives
-
-
-def record(solution: EngineSolution) -> dict[str, Any]:
+def record(solution: Solution) -> dict[str, Any]:
     """Return the content of `run.json`: the summary, and everything needed to repeat the run."""
     model = solution.engine.model
     return {
@@ -88,8 +81,10 @@ def record(solution: EngineSolution) -> dict[str, Any]:
         "source": model.module.SOURCE,
         "effects": [{"name": name, "kind": kind, "text": text} for name, kind, text in model.module.EFFECTS],
         "unchecked": [{"effect": effect, "reason": reason} for effect, reason in model.module.UNCHECKED],
-        "parameters": {name: {"value": value, "unit": unit} for name, (value, unit) in solution.parameters.items()},
-        "initial": solution.initial,
+        "parameters": {
+            name: {"value": value, "unit": unit} for name, (value, unit) in solution.settings.parameters.items()
+        },
+        "initial": solution.engine.initial,
         "rows": len(solution.t),
         "statistics": asdict(solution.statistics),
         "error": solution.error and solution.error.numbers,
@@ -133,7 +128,7 @@ class Written:
 
 
 def write(
-    solution: EngineSolution,
+    solution: Solution,
     out: Path | None,
     *,
     plots: bool,
@@ -156,7 +151,7 @@ def write(
     if averages:
         extras.make("averages", lambda _: setattr(written, "averages", solution.averages()))
     extras.make_csv()
-    if _derivatives(solution) is not None:
+    if solution.derivatives is not None:
         extras.make("sensitivities.csv", lambda at: _write_derivatives(solution, at / "sensitivities.csv"))
     if plots:
         extras.make_pictures()
@@ -173,7 +168,7 @@ def write(
 class _Extras:
     """Files made from the data of a run that are written already."""
 
-    solution: EngineSolution
+    solution: Solution
     written: Written
     stop: Stopping
 
@@ -207,11 +202,11 @@ class _Extras:
 
         size = csv_size(self.solution)
         if size <= CSV_LIMIT:
-            self.make("states.csv", lambda at: self.solution.to_csv(at / "states.csv"))
+            self.make("states.csv", lambda at: self.solution.to_file(at / "states.csv"))
             return
         self.written.left_out.append(
             f"states.csv would have {size / 1e6:.0f} MB and is not written: states.npz has the same; --table FILE.csv writes it, "
-            f'--grid 10000 keeps less, and Solution.load("states.npz").to_csv("states.csv") makes it later'
+            f'--grid 10000 keeps less, and Solution.load("states.npz").to_file("states.csv") makes it later'
         )
 
     def make_pictures(self) -> None:
@@ -269,9 +264,7 @@ class _Extras:
         return written.files, written.missing
 
 
-def _write_data(
-    solution: EngineSolution, folder: Path, lost: list[str], request: Mapping[str, Any] | None
-) -> list[str]:
+def _write_data(solution: Solution, folder: Path, lost: list[str], request: Mapping[str, Any] | None) -> list[str]:
     """Write states.npz and run.json, either one if the other fails; raises OSError if both fail."""
     files: list[str] = []
     errors: list[OSError] = []
@@ -290,19 +283,23 @@ def _write_data(
     return files
 
 
-def _write_derivatives(solution: EngineSolution, path: Path) -> None:
+def _write_derivatives(solution: Solution, path: Path) -> None:
     """Write the derivatives of every state and normal force, by each name, over the run's rows."""
-    of = _derivatives(solution)
+    of = solution.derivatives
     if of is None:
         return
     histories = [*solution.engine.states, *(f"{pair}.normal_force" for pair in solution.engine.model.pairs)]
-    times = None if solution.engine.history.steps else solution.t
-    columns = [of.history_of(history, name, times) for name in of.names for history in histories]
-    header = ",".join(["t [s]", *(f"{each.name} [{each.unit}]" for each in columns)])
+    columns = [(history, name) for name in of.names for history in histories]
+    header = ",".join(["t [s]", *(f"d({history})/d({name}) [{of.unit(history, name)}]" for history, name in columns)])
     text = io.StringIO()
     np.savetxt(
         text,
-        np.column_stack([solution.t, *(each.values for each in columns)]),
+        np.column_stack(
+            [
+                solution.t,
+                *(of[column] if solution.engine.history.steps else of.at(solution.t, *column) for column in columns),
+            ]
+        ),
         "%.17g",
         ",",
         header=header,
@@ -312,7 +309,7 @@ def _write_derivatives(solution: EngineSolution, path: Path) -> None:
 
 
 def _text(
-    solution: EngineSolution, lost: Sequence[str], request: Mapping[str, Any] | None, averages: Sequence[Average] = ()
+    solution: Solution, lost: Sequence[str], request: Mapping[str, Any] | None, averages: Sequence[Average] = ()
 ) -> bytes:
     content = record(solution)
     content |= {"averages": [asdict(average) for average in averages]} if averages else {}

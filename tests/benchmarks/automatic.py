@@ -50,7 +50,7 @@ def _ratio(name: str, model: Any, tolerance: float, duration: Any, parameters: A
         )
 
     first, taken = run("dop853", duration), _taken(lambda: run("dop853", duration))
-    until = first.t_end * min(1, LONGEST / taken)
+    until = first.engine.t_end * min(1, LONGEST / taken)
     taken, auto = _taken(lambda: run("dop853", until)), run("auto", until)
     repeats = max(int(LASTING / taken), 1)
     rounds: list[tuple[float, float]] = []

@@ -293,9 +293,12 @@ run.continued("20 ms", max_steps=1.5)  ->  max_steps: found 1.5
 run.sensitivities()  ->  names: found none
 run.sensitivities("mas")  ->  did you mean mass
 run.sensitivities(3)  ->  named by int
-run.sensitivity("height", "mass")  ->  no history 'height'
-run.sensitivity(3, "mass")  ->  no history 3
-run.sensitivity("vertical.travel", "mas")  ->  did you mean mass
+run.sensitivities("mass")["height", "mass"]  ->  no history 'height'
+run.sensitivities("mass")[3, "mass"]  ->  no history 3
+run.sensitivities("mass")[3]  ->  no history 3
+run.sensitivities("mass").at([0.005], "height", "mass")  ->  no history 'height'
+run.sensitivities("mass")["vertical.travel", "mas"]  ->  did you mean mass
+run.sensitivities("mass")["vertical.travel"]  ->  expected one of mass
 run.with_histories("height")  ->  no history 'height'
 run.with_histories(["vertical.travel"])  ->  no history ['vertical.travel']
 run.lyapunov(0)  ->  count
@@ -366,7 +369,7 @@ run.at("5 ms")["vertical.travel"]
 run.extremes("vertical.travel").highest
 run.continued("20 ms")
 run.sensitivities("mass", "vertical.speed")
-run.sensitivity("vertical.travel", "restitution")
+run.sensitivities("restitution")["vertical.travel", "restitution"]
 run.with_histories("ball.x")
 run.plot(["vertical.travel", "vertical.speed"])
 run.plot("floor")

@@ -97,8 +97,8 @@ def test_a_progress_that_cannot_be_called_is_refused(function):
 def test_a_start_among_the_parameters_is_the_start():
     start = {"vertical.travel": "0.5 m"}
     run, other = simulate(BALL, parameters=start, **SHORT), simulate(BALL, initial=start, **SHORT)
-    assert run.initial == other.initial != simulate(BALL, **SHORT).initial
-    assert run.final == other.final
+    assert run.engine.initial == other.engine.initial != simulate(BALL, **SHORT).engine.initial
+    assert run.engine.final == other.engine.final
 
 
 def test_a_varied_model_is_the_scene_varied():
@@ -118,8 +118,8 @@ def test_whole_numbers_are_whole():
 
 def test_a_scene_is_run_as_long_as_the_data_it_is_compared_with_last():
     found, run = compare("bouncing_ball", WAVE, tolerance=1e-6), simulate(BALL, duration="58 ms", tolerance=1e-6)
-    assert found.solution.t_end == pytest.approx(0.058, rel=1e-15)
-    assert found.solution.final == pytest.approx(run.final, rel=1e-12)
+    assert found.solution.engine.t_end == pytest.approx(0.058, rel=1e-15)
+    assert found.solution.engine.final == pytest.approx(run.engine.final, rel=1e-12)
     assert compare(run, WAVE).csv() == found.csv()
     for data in (run, run.engine.history, 3, None):
         with pytest.raises(InputError, match="data: found"):

@@ -150,7 +150,7 @@ def test_momentum_and_energy_stay_and_swapped_boxes_move_alike(oblique):
     """Rectangles that hit each other obliquely, without loss; with the first as the second the motion is the same."""
     runs = [simulate(load(scene), duration="30 ms", accuracy=1e-9) for scene in oblique]
     assert all(run.outcome.finished and run.impacts for run in runs)
-    one, two = (run.final for run in runs)
+    one, two = (run.engine.final for run in runs)
     for name in ("A.x", "A.y", "A.angle", "B.x", "B.y", "B.angle"):
         assert one[name] == pytest.approx(two[name], abs=1e-9)
     assert one["A.x_speed"] + one["B.x_speed"] == pytest.approx(-0.3, abs=1e-10)
@@ -193,7 +193,7 @@ def test_it_tips_where_its_mass_centre_passes_the_edge(over, falls):
     """About the rounded edge, on which its face rolls: w^2 = 2 g (height lost)/(i^2 + distance^2 of the mass centre)."""
     run = held(w / 2 - r + over, GRIP, duration="0.25 s")
     assert run.outcome.finished
-    turned = -run.final["A.angle"]
+    turned = -run.engine.final["A.angle"]
     if not falls:
         assert abs(turned) < 1e-3
         return
@@ -201,7 +201,7 @@ def test_it_tips_where_its_mass_centre_passes_the_edge(over, falls):
     lost = (r + h / 2) * (1 - np.cos(turned)) + along * np.sin(turned)
     inertia = (w**2 + h**2) / 12 + along**2 + (h / 2) ** 2
     assert turned > 0.02
-    assert -run.final["A.angle_speed"] == pytest.approx(np.sqrt(2 * G * lost / inertia), rel=1e-2)
+    assert -run.engine.final["A.angle_speed"] == pytest.approx(np.sqrt(2 * G * lost / inertia), rel=1e-2)
 
 
 def test_deeper_than_the_rounding_the_run_ends_and_says_where():
@@ -229,10 +229,10 @@ def test_crossed_bars_hit_edge_on_edge_as_rigid_ones():
     mass = 1000 * L.si * s**2
     inertia = mass * (L.si**2 + s**2) / 12
     impulse = 2 * v / (2 / mass + (x**2 + z**2) / inertia)
-    assert run.final["A.y_speed"] == pytest.approx(-v + impulse / mass, rel=1e-3)
-    assert run.final["B.y_speed"] == pytest.approx(-impulse / mass, rel=1e-3)
+    assert run.engine.final["A.y_speed"] == pytest.approx(-v + impulse / mass, rel=1e-3)
+    assert run.engine.final["B.y_speed"] == pytest.approx(-impulse / mass, rel=1e-3)
     for body, arm in (("A", x), ("B", z)):
-        spin = np.linalg.norm([run.final[f"{body}.angular_speed_{axis}"] for axis in "xyz"])
+        spin = np.linalg.norm([run.engine.final[f"{body}.angular_speed_{axis}"] for axis in "xyz"])
         assert spin == pytest.approx(arm * impulse / inertia, rel=1e-3)
     assert run.energy_residual < 1e-8
 

@@ -73,7 +73,7 @@ def test_a_flat_fall_bounces_as_a_point_mass_on_springs_in_parallel(space, z, co
         depth = G / rate**2 + np.hypot(speed / rate, G / rate**2)
         assert impact.peak_force == pytest.approx(K * depth, rel=1e-7)
     if not space:
-        assert abs(run.final["move.angle"]) < 1e-12
+        assert abs(run.engine.final["move.angle"]) < 1e-12
 
 
 def test_corners_share_the_load_as_springs_at_them_do():
@@ -99,7 +99,7 @@ def test_a_box_on_an_incline_tips_where_its_weight_passes_its_edge(part, falls):
     )
     run = simulate(load(scene), duration="0.6 s", tolerance=1e-6)
     assert run.outcome.finished
-    turned = -run.final["move.angle"]
+    turned = -run.engine.final["move.angle"]
     if not falls:
         assert abs(turned) < 1e-4
         return
@@ -107,7 +107,7 @@ def test_a_box_on_an_incline_tips_where_its_weight_passes_its_edge(part, falls):
     radius, beyond = np.hypot(W.si, H.si) / 2, np.arctan(tangent) - np.arctan2(W.si, H.si)
     pull = G * radius / ((W.si**2 + H.si**2) / 3)
     speed = np.sqrt(2 * pull * (np.cos(beyond) - np.cos(beyond + turned)))
-    assert -run.final["move.angle_speed"] == pytest.approx(speed, rel=5e-3)
+    assert -run.engine.final["move.angle_speed"] == pytest.approx(speed, rel=5e-3)
 
 
 def rocking(law, stiffness, duration):

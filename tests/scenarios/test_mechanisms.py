@@ -160,8 +160,8 @@ def test_a_loaded_journal_settles_where_its_contact_force_is_the_load(load_N, mu
     force = load_N / np.hypot(1, smoothed)
     away, lean = c + (force / K) ** (1 / n), np.arctan(smoothed)
     side = 1 if backwards else -1
-    assert run.final["shaft.x"] == pytest.approx(side * away * np.sin(lean), rel=1e-6)
-    assert run.final["shaft.y"] == pytest.approx(-away * np.cos(lean), rel=1e-6)
+    assert run.engine.final["shaft.x"] == pytest.approx(side * away * np.sin(lean), rel=1e-6)
+    assert run.engine.final["shaft.y"] == pytest.approx(-away * np.cos(lean), rel=1e-6)
     assert run["bearing.normal_force"][-1] == pytest.approx(force, rel=1e-6)
     times = np.array([1.8, 2.0])
     work = np.diff(run.at(times)["energy_ledger.input"])[0]

@@ -40,7 +40,7 @@ def test_the_default_method_runs_the_woodpecker(toy):
     assert {choice.method for choice in run.engine.choices} == {"explicit", "implicit"}
     assert run.energy_residual < 1e-5
     other = simulate(toy, duration="0.5 s", tolerance=1e-8, method="rodas", compiled=False)
-    assert run.final["fall.travel"] == pytest.approx(other.final["fall.travel"], rel=1e-3)
+    assert run.engine.final["fall.travel"] == pytest.approx(other.engine.final["fall.travel"], rel=1e-3)
 
 
 @pytest.mark.parametrize("method", ["dop853", "dopri5"])

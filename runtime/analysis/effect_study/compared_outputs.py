@@ -151,7 +151,7 @@ def _mean_peak_force(samples: Samples) -> float | None:
 
 
 def _impact_rate(samples: Samples) -> float:
-    return len(samples.run.impacts) / samples.run.t_end
+    return len(samples.run.impacts) / samples.run.engine.t_end
 
 
 def _largest(history: History, names: Sequence[str]) -> np.ndarray:

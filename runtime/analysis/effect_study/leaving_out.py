@@ -53,7 +53,7 @@ def driven_start(
     u_free = [i for i, name in enumerate(joints.speeds) if name not in whole.joints.speeds]
     if whole.module.BODIES != model.module.BODIES or not (q_free or u_free):
         return {}
-    known = run.initial
+    known = run.engine.initial
     start = (np.array([known[name] for name in names]) for names in (whole.coordinates, whole.speeds))
     there = _flat(_motion(whole)(0.0, *start, run.engine.history.controls[: whole.nc]))
     bound = model.bind(parameters)

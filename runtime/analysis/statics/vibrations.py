@@ -366,9 +366,11 @@ def _of_run(run: EngineSolution, at: str | float | None) -> Modes:
     model, faults = run.engine.model, list[Fault]()
     if run.engine.history.integrator is None:
         raise InputError(model.name, [Fault("modes", "a saved run", "a run that `simulate` returned")])
-    t = run.t_end if at is None else 0.0 if at == 0 else read_duration(model, {}, at, faults)
-    if faults or not run.engine.t_start <= t <= run.t_end:
-        raise InputError(model.name, [Fault("at", shown(at), f"a time from {run.engine.t_start:g} to {run.t_end:g} s")])
+    t = run.engine.t_end if at is None else 0.0 if at == 0 else read_duration(model, {}, at, faults)
+    if faults or not run.engine.t_start <= t <= run.engine.t_end:
+        raise InputError(
+            model.name, [Fault("at", shown(at), f"a time from {run.engine.t_start:g} to {run.engine.t_end:g} s")]
+        )
     state = run.at([t])
     q, u, z = (
         np.array([state[name][0] for name in names]) for names in (model.coordinates, model.speeds, model.memory)
@@ -377,7 +379,7 @@ def _of_run(run: EngineSolution, at: str | float | None) -> Modes:
     slips = [state[name][0] for name, *_ in model.slips]
     m = np.array([*(state[name][0] for name in model.latches), *slips])
     defaults = {name: (port.default, port.unit) for name, port in model.parameters.items()}
-    parameters = {name: value for name, value in run.parameters.items() if value != defaults[name]}
+    parameters = {name: value for name, value in run.settings.parameters.items() if value != defaults[name]}
     note = f"the equations are frozen at t = {t:g} s, where the motion is not at rest" if np.any(u) else ""
     model = inputs_at(model, None, t)
     return _modes(model, model.bind(parameters), t, q, u, z, mode, m, (note,) if note else ())

@@ -226,7 +226,7 @@ def simulated(model: EngineModel, trial: Trial, value: float, impact: Impact) ->
         },
     )
     apart = run.outcome.finished and run["wall.gap"][-1] > 0
-    return run.final["ball.speed"] / impact.speed if apart else math.nan
+    return run.engine.final["ball.speed"] / impact.speed if apart else math.nan
 
 
 def own_unit(trial: Trial, impact: Impact) -> float:

@@ -86,7 +86,7 @@ class Reference:
         return self._along(run, scaling.departure)
 
     def _along(self, run: Solution, measure: Callable[..., Array]) -> Array:
-        reached = self.t <= run.t_end
+        reached = self.t <= run.engine.t_end
         errors = np.full(len(self.t), np.nan)
         errors[reached] = measure(
             run.engine.model, self.run.engine.scales, states(run, self.t[reached]), self.y[reached]
@@ -198,4 +198,4 @@ def reference(problem: Problem, progress: Callable[[float], object] = lambda _: 
 def _times(run: Solution) -> Array:
     """Return the times [s] at which runs are compared."""
     steps = run.t[:: 1 + len(run.t) // SAMPLES]
-    return np.unique(np.concatenate([np.linspace(0.0, run.t_end, SAMPLES + 1), steps]))
+    return np.unique(np.concatenate([np.linspace(0.0, run.engine.t_end, SAMPLES + 1), steps]))

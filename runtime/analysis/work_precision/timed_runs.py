@@ -109,7 +109,7 @@ def make(by: RunSpec, held: Reference) -> TimedRun:
     return TimedRun(
         by=by,
         outcome=run.outcome,
-        reached=run.t_end == held.t[-1],
+        reached=run.engine.t_end == held.t[-1],
         error=held.error(run),
         departure=held.departure(run),
         estimate=run.error.worst if run.error is not None and run.error.known else None,

@@ -157,7 +157,7 @@ def run(
         line("written", f"{written.folder}/ ({', '.join(written.files)})")
         if (
             solution.outcome.name in STOPPED
-            and solution.t_end < solution.settings.duration
+            and solution.engine.t_end < solution.settings.duration
             and "states.npz" in written.files
         ):
             line("go on", f"hertzwerk run --continue {written.folder}")
@@ -257,7 +257,7 @@ def _report(solution: Solution) -> None:
     """Print a run in a few lines."""
     statistics, outcome = solution.statistics, solution.outcome
     line(
-        solution.model.name,
+        solution.engine.model.name,
         f"{time_text(solution.settings.duration, 4)}, {solution.settings.method}, tolerance {solution.settings.tolerance:.2g}",
     )
     count = len(solution.impacts)
@@ -281,5 +281,5 @@ def _report(solution: Solution) -> None:
         line("remedy", outcome.remedy)
     for warning in solution.warnings:
         line("warning", warning)
-    for text in solution.advice:
+    for text in solution.engine.advice:
         line("advice", text)

@@ -139,7 +139,7 @@ def _report(result: Study) -> None:
 def _without_reference(problem: Problem, error: NoReferenceError, *, as_json: bool) -> int:
     """Report that no two methods reach the end, so that errors cannot be measured."""
 
-    failed = {method: (run.outcome, run.t_end) for method, run in error.runs.items()}
+    failed = {method: (run.outcome, run.engine.t_end) for method, run in error.runs.items()}
     if as_json:
         outcomes = {method: {"outcome": o.name, "message": o.message, "t_end": t} for method, (o, t) in failed.items()}
         nothing: dict[str, Any] = {"rows": [], "reference": None, "decade_cost": None, "recommended": None}

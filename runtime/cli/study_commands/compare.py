@@ -128,7 +128,7 @@ def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
     )
     return (
         OTHER_OUTCOME
-        if comparison.differs or comparison.solution.t_end < comparison.solution.settings.duration
+        if comparison.differs or comparison.solution.engine.t_end < comparison.solution.settings.duration
         else code
     )
 

@@ -37,7 +37,7 @@ def parameters_of(run: EngineSolution, model: EngineModel) -> dict[str, tuple[fl
     ports = model.parameters
     return {
         name: (value, unit)
-        for name, (value, unit) in run.parameters.items()
+        for name, (value, unit) in run.settings.parameters.items()
         if name not in ports or (value, unit) != (ports[name].default, ports[name].unit)
     }
 
@@ -94,6 +94,6 @@ def with_steps(run: AnyRun) -> AnyRun:
     again = Settings(settings.duration, None, settings.tolerance, settings.method, max_steps=tried + 1)
     inputs, _ = read(engine.model, again, parameters_of(run, engine.model), engine.checkpoint.initial)
     steps = set_up(engine.model, again, inputs).trace(settings.tolerance, engine.scales, None).recorded.history
-    rows, beside = steps.rows[steps.t <= run.t_end], engine.history.beside
+    rows, beside = steps.rows[steps.t <= run.engine.t_end], engine.history.beside
     history = History(engine.model, rows, steps.controls, steps.integrator, p=steps.p, beside=beside)
     return replace(run, engine=replace(engine, history=history))

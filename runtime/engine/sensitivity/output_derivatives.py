@@ -78,7 +78,7 @@ class OutputDerivatives:
         if before == "final":
             last = output.removeprefix("final.")
         if output.startswith("final.") or output in model.memory:
-            return self._at(run.t_end, output.removeprefix("final."))
+            return self._at(run.engine.t_end, output.removeprefix("final."))
         if last in OF_IMPACTS and before in ("", *model.pairs):
             return self._largest_impact(OF_IMPACTS[last], before)
         if last == "impulse" and before in model.pairs:
@@ -147,7 +147,7 @@ class OutputDerivatives:
     def _within_horizon(self) -> None:
         """Raise NoDerivativeError for an average beyond the range of derivatives along one trajectory."""
         horizon = self.of.horizon
-        if self.run.t_end > horizon:
+        if self.run.engine.t_end > horizon:
             raise NoDerivativeError(
                 f"the run is longer than the horizon of its derivatives, {horizon:.4g} s, by which an error as small as its tolerance "
                 f"has grown to {VALID:.0%}: the derivative along this trajectory is not that of the average; {REGRESSION}"
@@ -169,7 +169,7 @@ class OutputDerivatives:
 
     @property
     def _time(self) -> float:
-        return self.run.t_end - self.run.engine.t_start
+        return self.run.engine.t_end - self.run.engine.t_start
 
     @property
     def samples(self) -> Samples:

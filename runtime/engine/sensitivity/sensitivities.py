@@ -13,7 +13,7 @@ They are found after the run, from its steps: a run that is not asked pays nothi
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import casadi as ca
@@ -120,28 +120,6 @@ def _difference(model: EngineModel, bound: BoundParameters, initial: Mapping[str
 PEAKS = {"peak_force": ("force", 1, "normal_force"), "peak_penetration": ("gap", -1, "penetration")}
 
 
-@dataclass(frozen=True)
-class Derivative:
-    """Derivative of a history: values (rows,) over t (rows,) [s], in `unit`; nan where there is none.
-
-    `numpy.asarray` of it, and its rows, are those of the values.
-    """
-
-    name: str
-    unit: str
-    t: np.ndarray
-    values: np.ndarray
-
-    def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
-        return np.array(self.values, dtype=dtype, copy=True if copy is None else copy)
-
-    def __getitem__(self, rows: Any) -> Any:
-        return self.values[rows]
-
-    def __len__(self) -> int:
-        return len(self.values)
-
-
 class Sensitivities:
     """Derivatives of a run with respect to parameters and initial states, in SI.
 
@@ -181,17 +159,13 @@ class Sensitivities:
     # -- what is read ------------------------------------------------------------------------------------------------
 
     def __getitem__(self, key: tuple[str, str]) -> np.ndarray:
-        """Derivative of a history with respect to a name, shape (rows,), SI.
+        """Derivative of a history with respect to a name, at the run's steps, shape (rows,), SI.
 
-        At the run's steps; nan beyond `until`."""
-        name, to = key
+        nan beyond `until`. Raises KeyError for an unknown history, InputError for a name without derivatives.
+        """
+        name, to = key if isinstance(key, tuple) and len(key) == 2 else (key, "")
         everywhere = np.arange(len(self.history.rows))
-        return self._at(everywhere, np.zeros(len(everywhere)), name)[:, self._column(to)]
-
-    def history_of(self, name: str, to: str, times: np.ndarray | None = None) -> Derivative:
-        """Return the derivative of a history with its unit, over the run's steps, or times [s] of it."""
-        t, values = (self.history.t, self[name, to]) if times is None else (times, self.at(times, name, to))
-        return Derivative(f"d({name})/d({to})", self.unit(name, to), t, values)
+        return self._at(everywhere, np.zeros(len(everywhere)), self.history.known(name))[:, self._column(to)]
 
     def at(self, times: np.ndarray, name: str, to: str) -> np.ndarray:
         """Return the derivative of a history at any times [s] of the run; at an event, that just after it."""
@@ -201,7 +175,7 @@ class Sensitivities:
         """Return the derivatives (n, P) of a history by all `names`, at times (n,) as `at` has them."""
         t = self.history.t
         index = np.searchsorted(t, times, side="right") - 1
-        return self._at(index, times - t[index], name)
+        return self._at(index, times - t[index], self.history.known(name))
 
     @property
     def events(self) -> tuple[np.ndarray, np.ndarray]:

@@ -116,13 +116,18 @@ class History(Histories):
             values = self[name[0]]
             converted: np.ndarray = values / si_of_all(f"{name[0]} in {name[1]}", self.units[name[0]], (1.0, name[1]))
             return converted
-        if not isinstance(name, str) or name not in self.units:
-            known = self.units.everything
-            hint = (similar(name, known) if isinstance(name, str) else "") or f"there are {', '.join(known)}"
-            raise KeyError(f"no history {name!r}; {hint}{self.units.missing}")
-        if name not in self._values:
-            self._values |= self._evaluate(name)
-        return self._values[name]
+        known = self.known(name)
+        if known not in self._values:
+            self._values |= self._evaluate(known)
+        return self._values[known]
+
+    def known(self, name: object) -> str:
+        """Return the name of a history; raises KeyError, with what there is, for any other."""
+        if isinstance(name, str) and name in self.units:
+            return name
+        names = self.units.everything
+        hint = (similar(name, names) if isinstance(name, str) else "") or f"there are {', '.join(names)}"
+        raise KeyError(f"no history {name!r}; {hint}{self.units.missing}")
 
     def part(self, name: str) -> np.ndarray:
         """Columns of a part of the rows, shape (rows, size); of pairs those of all."""

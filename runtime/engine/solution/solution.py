@@ -60,9 +60,10 @@ class Statistics:
 
 @dataclass(frozen=True)
 class RunSettings:
-    """Settings of a run: duration requested [s], accuracy or tolerance, method, whether compiled.
+    """Settings of a run: duration requested [s], accuracy or tolerance, method, whether compiled, parameters.
 
-    accuracy: requested of the whole run, None for a run at a tolerance; tolerance: local, of this run.
+    accuracy: requested of the whole run, None for a run at a tolerance; tolerance: local, of this run
+    parameters: value and unit of every parameter by name.
     """
 
     duration: float
@@ -70,6 +71,7 @@ class RunSettings:
     tolerance: float
     method: str
     compiled: bool
+    parameters: Mapping[str, tuple[float, str]] = field(repr=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,9 +118,29 @@ class EngineRun:
         return float(self.ends.t[0])
 
     @property
+    def t_end(self) -> float:
+        """Time [s] that the run reached."""
+        return float(self.ends.t[-1])
+
+    @property
     def states(self) -> tuple[str, ...]:
         """Names of the integrated states: coordinates, speeds, memory."""
         return (*self.model.coordinates, *self.model.speeds, *self.model.memory)
+
+    @property
+    def initial(self) -> dict[str, float]:
+        """Every state at the start, SI."""
+        return {name: float(self.ends[name][0]) for name in self.states}
+
+    @property
+    def final(self) -> dict[str, float]:
+        """Every state at the end, SI."""
+        return {name: float(self.ends[name][-1]) for name in self.states}
+
+    @property
+    def advice(self) -> tuple[str, ...]:
+        """Reservations about the scene's laws, such as a point contact law for a line contact."""
+        return tuple(self.model.module.ADVICE)
 
     @property
     def choices(self) -> tuple[Choice, ...]:
@@ -139,8 +161,7 @@ class EngineSolution(Histories):
 
     engine    what the engine has of the run, for programs of one's own
     outcome    how it ended, with a message and a remedy
-    settings    duration, accuracy or tolerance, method, compiled
-    parameters    value and unit of every parameter by name
+    settings    duration, accuracy or tolerance, method, compiled, parameters
     statistics    its cost: steps, evaluations, times
     energy_residual    largest error of the energy balance over the largest energy that the run moves. The error is |energy - initial energy +
         dissipated - input| of all accepted steps; the energy moved is kinetic, dissipated, put in, or change of potential, or a millionth of the
@@ -151,7 +172,6 @@ class EngineSolution(Histories):
     engine: EngineRun = field(repr=False)
     outcome: Outcome
     settings: RunSettings
-    parameters: Mapping[str, tuple[float, str]] = field(repr=False)
     statistics: Statistics
     energy_residual: float | None = None
     error: ErrorEstimate | None = field(default=None, repr=False)
@@ -162,19 +182,9 @@ class EngineSolution(Histories):
         return self.engine.warnings
 
     @property
-    def advice(self) -> tuple[str, ...]:
-        """Reservations about the scene's laws, such as a point contact law for a line contact."""
-        return tuple(self.engine.model.module.ADVICE)
-
-    @property
     def t(self) -> np.ndarray:
         """Times of the accepted steps, or of the requested grid [s], shape (rows,)."""
         return self.engine.history.t
-
-    @property
-    def t_end(self) -> float:
-        """Time [s] that the run reached."""
-        return float(self.engine.ends.t[-1])
 
     @property
     def units(self) -> Mapping[str, str]:
@@ -209,16 +219,6 @@ class EngineSolution(Histories):
         return self.engine.history.at(si_of_all("times", "s", times))
 
     @property
-    def initial(self) -> dict[str, float]:
-        """Every state at the start, SI."""
-        return {name: float(self.engine.ends[name][0]) for name in self.engine.states}
-
-    @property
-    def final(self) -> dict[str, float]:
-        """Every state at the end, SI."""
-        return {name: float(self.engine.ends[name][-1]) for name in self.engine.states}
-
-    @property
     def impacts(self) -> tuple[Impact, ...]:
         """Every contact in the order of its onset."""
         return self.engine.findings.impacts
@@ -234,7 +234,7 @@ class EngineSolution(Histories):
             self.engine.scales,
             self.settings.tolerance,
             self.engine.t_start,
-            self.t_end,
+            self.engine.t_end,
         )
         return averages(run, interval=interval, skip=skip)
 
@@ -244,7 +244,7 @@ class EngineSolution(Histories):
     def __str__(self) -> str:
         statistics, count = self.statistics, len(self.impacts)
         parts = [
-            f"{time_text(self.t_end)} in {statistics.steps:,} steps",
+            f"{time_text(self.engine.t_end)} in {statistics.steps:,} steps",
             f"{count:,} impact{'s' if count != 1 else ''}",
         ]
         if self.error is not None:
@@ -254,10 +254,6 @@ class EngineSolution(Histories):
         text = f"{self.outcome.name}: {', '.join([*parts, time_text(statistics.wall_s, 3)])}"
         return text if self.outcome.finished else f"{text}\n{self.outcome.message}; {self.outcome.remedy}"
 
-    def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
-        """Write every history as a column, headed `name [unit]`, rows at `run.t`, SI; raises FileExistsError."""
-        return write(path, csv_of(self), overwrite=overwrite)
-
     def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write the whole run as npz, to be read by `Solution.load` or NumPy; raises FileExistsError."""
         module = self.engine.model.module
@@ -266,7 +262,6 @@ class EngineSolution(Histories):
             "ledger": self.engine.model.has_ledger,
             "outcome": asdict(self.outcome),
             "statistics": asdict(self.statistics),
-            "parameters": dict(self.parameters),
             "warnings": self.warnings,
             **asdict(self.settings),
             "energy_residual": self.energy_residual,
@@ -309,6 +304,7 @@ class EngineSolution(Histories):
         tables = {name: _tuples(about["scene"][name]) for name in (*SAVED, "BESIDE")}
         module = with_tables(**tables, **({"ledger": None} if about["ledger"] else {}))
         model = EngineModel(module)
+        parameters = {name: (value, unit) for name, (value, unit) in about["parameters"].items()}
         engine = EngineRun(
             history=History.stored(model, histories, saved_run.rates_by_name(rates, model, histories)),
             ends=History.stored(model, {name: np.array(values) for name, values in about["ends"].items()}),
@@ -326,8 +322,9 @@ class EngineSolution(Histories):
         return cls(
             engine=engine,
             outcome=Outcome(**about["outcome"]),
-            settings=RunSettings(**{each.name: about[each.name] for each in fields(RunSettings)}),
-            parameters={name: (value, unit) for name, (value, unit) in about["parameters"].items()},
+            settings=RunSettings(
+                **{each.name: about[each.name] for each in fields(RunSettings)} | {"parameters": parameters}
+            ),
             statistics=Statistics(**about["statistics"]),
             energy_residual=about["energy_residual"],
             error=about["error"] and ErrorEstimate.from_numbers(about["error"]),
@@ -335,7 +332,7 @@ class EngineSolution(Histories):
 
 
 def csv_of(run: EngineSolution, rows: slice = slice(None)) -> bytes:
-    """Return the content of the file that `to_csv` writes, or some rows of it."""
+    """Return every history as CSV: a column for each, headed `name [unit]`, rows at `run.t` or some of them, SI."""
     table = np.column_stack([run.t[rows], *(run[name][rows] for name in run)])
     text = io.StringIO()
     text.write(",".join(f"{name} [{run.units[name]}]" for name in ("t", *run)) + "\n")
@@ -344,7 +341,7 @@ def csv_of(run: EngineSolution, rows: slice = slice(None)) -> bytes:
 
 
 def csv_size(run: EngineSolution) -> float:
-    """Estimate the size [bytes] of the file that `to_csv` would write."""
+    """Estimate the size [bytes] of the file of `csv_of`."""
     some = slice(None, None, max(len(run.t) // SAMPLE, 1))
     return len(csv_of(run, some)) * len(run.t) / len(run.t[some])
 

@@ -112,7 +112,7 @@ class Places:
             axis=1
         )  # to where a run came to no good end
         defaults = {name: (port.default, port.unit) for name, port in run.engine.model.parameters.items()}
-        parameters = {name: value for name, value in run.parameters.items() if value != defaults[name]}
+        parameters = {name: value for name, value in run.settings.parameters.items() if value != defaults[name]}
         return cls._of(
             run.engine.model, run.engine.model.bind(parameters).p, times[good], positions[good], rotations[good]
         )

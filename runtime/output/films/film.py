@@ -44,7 +44,7 @@ def animate(
     Raises InputError with every fault, OSError where it cannot be written.
     """
     faults = path_faults(path, overwrite=overwrite)
-    clock = Clock.of(run.engine.t_start, run.t_end, fps, slow, path.suffix.lower(), faults)
+    clock = Clock.of(run.engine.t_start, run.engine.t_end, fps, slow, path.suffix.lower(), faults)
     if faults or clock is None:
         raise InputError(f"film of {run.engine.model.name}", faults)
     stage = Stage.of(run, clock)

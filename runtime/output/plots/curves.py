@@ -71,7 +71,7 @@ class Curves:
         run = with_steps(run)
         if not len(run.t):
             raise ValueError(
-                f"found no rows to draw: the run stopped at t = {run.t_end:g} s, before the first requested time"
+                f"found no rows to draw: the run stopped at t = {run.engine.t_end:g} s, before the first requested time"
             )
         sampled = dense(run) if has_steps(run) else Rows(run)
         return cls(run, sampled.t, sampled, scale_of("s", run.t[-1]))

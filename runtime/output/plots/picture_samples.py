@@ -45,7 +45,7 @@ def dense(run: EngineSolution) -> History | BetweenSteps:
 
 def hardest(run: EngineSolution) -> list[Impact]:
     """Return the hardest impact of each pair in every part of a run that a picture resolves."""
-    part = max(run.t_end - run.engine.t_start, 1e-300) / IMPACT_BINS
+    part = max(run.engine.t_end - run.engine.t_start, 1e-300) / IMPACT_BINS
     by_pair: dict[tuple[str, int], Impact] = {}
     for impact in run.impacts:
         key = impact.contact, int((impact.t - run.engine.t_start) / part)

@@ -58,7 +58,7 @@ def run_page(
     """
     derived = getattr(run, "derivatives", None)
     if derived is not None:
-        sensitivities = derived.record(run.engine.states, run.t_end)
+        sensitivities = derived.record(run.engine.states, run.engine.t_end)
     declared = model if model is not None else run.engine.model
     if run.engine.history.integrator is None:
         run = replace(run, engine=run.engine.with_model(declared))
@@ -69,7 +69,7 @@ def run_page(
         _accuracy(run),
         _impacts(run, whole),
         Section("Averages", guarded("Averages", partial(_averages, run))),
-        scene_sections.parameters(run.engine.model, run.parameters, readable),
+        scene_sections.parameters(run.engine.model, run.settings.parameters, readable),
         scene_sections.effects(run.engine.model, readable),
         _states(run),
         _sensitivities(run, sensitivities, whole) if sensitivities else None,
@@ -115,7 +115,7 @@ def _outcome(run: EngineSolution) -> Markup:
 def _facts(run: EngineSolution) -> Markup:
     statistics, error = run.statistics, run.error
     rows = {
-        "time simulated": _quantity(run.t_end - run.engine.t_start, "s"),
+        "time simulated": _quantity(run.engine.t_end - run.engine.t_start, "s"),
         "impacts": number_text(len(run.impacts)),
         "steps": number_text(statistics.steps),
         "method, local tolerance": f"{run.settings.method}, {brief(run.settings.tolerance, 2)}",
@@ -133,7 +133,7 @@ def _horizon(run: EngineSolution) -> str:
 
 
 def _heed(run: EngineSolution) -> Section | None:
-    texts = [*run.warnings, *run.advice]
+    texts = [*run.warnings, *run.engine.advice]
     return Section("Warnings", bullets(texts)) if texts else None
 
 
@@ -242,7 +242,7 @@ def _averages(run: EngineSolution) -> Markup:
 def _states(run: EngineSolution) -> Section:
     units: Mapping[str, str] = run.engine.model.units
     rows: list[list[Cell]] = [
-        [name, value, run.final[name], unit_markup(units[name])] for name, value in run.initial.items()
+        [name, value, run.engine.final[name], unit_markup(units[name])] for name, value in run.engine.initial.items()
     ]
     stated = (
         []

@@ -22,14 +22,14 @@ def history_table(run: EngineSolution) -> LabelledTable:
         **({} if run.error is None else {"error": run.error.judged}),
         "hertzwerk": versions()["hertzwerk"],
     }
-    parameters = {f"parameter.{name}": _parameter(run, name) for name in run.parameters}
+    parameters = {f"parameter.{name}": _parameter(run, name) for name in run.settings.parameters}
     return LabelledTable("t", columns, {**about, **parameters})
 
 
 def _parameter(run: EngineSolution, name: str) -> str:
     """Return a parameter as text that `simulate` takes, with every digit."""
-    value, unit = run.parameters[name]
+    value, unit = run.settings.parameters[name]
     read = parse_unit(unit)
     if read.free_names:  # N/m^exponent, of a law whose exponent is a parameter
-        value, unit = read.to_si(value), unit_at(unit, run.parameters)
+        value, unit = read.to_si(value), unit_at(unit, run.settings.parameters)
     return repr(value) if unit == "1" else f"{value!r} {unit}"

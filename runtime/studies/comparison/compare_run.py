@@ -11,16 +11,15 @@ from hertzwerk.runtime.engine.inputs.measurement_csv import MeasuredTable, Measu
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.run.run_request import Accuracy, Compiled
 from hertzwerk.runtime.engine.solution.history import units_of
-from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.loading import Target, engine_model
-from hertzwerk.runtime.simulation import simulate
+from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.studies.comparison.comparison_request import Between, read_comparison_request
 from hertzwerk.runtime.studies.comparison.comparison_result import Comparison
 from hertzwerk.runtime.studies.comparison.matching import match
 
 
 def compare(
-    target: EngineSolution | Target,
+    target: Solution | Target,
     data: Measurement | MeasuredTable,
     *,
     map: Mapping[str, str] | None = None,
@@ -59,7 +58,7 @@ def compare(
         **{"accuracy": accuracy, "tolerance": tolerance, "method": method, "compiled": compiled, "progress": progress},
     }
     settings: dict[str, Any] = {name: value for name, value in of_run.items() if value is not None}
-    run = target if isinstance(target, EngineSolution) else None
+    run = target if isinstance(target, Solution) else None
     if run is not None and settings:
         raise InputError("compare", [Fault(", ".join(settings), "values beside a run", "none: it has its own")])
     model = run.engine.model if run is not None else engine_model(cast("Target", target))

@@ -15,7 +15,7 @@ from hertzwerk.runtime.studies.comparison.signal_statistics import Estimated, St
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from hertzwerk.runtime.engine.solution.solution import EngineSolution
+    from hertzwerk.runtime.simulation import Solution
     from hertzwerk.runtime.studies.comparison.alignment import Alignment
     from hertzwerk.runtime.studies.comparison.comparison_request import Channel, ComparisonRequest
     from hertzwerk.runtime.studies.comparison.residuals import Residual
@@ -63,7 +63,7 @@ class Comparison:
     warnings    what to heed before the numbers are believed
     """
 
-    solution: EngineSolution
+    solution: Solution
     request: ComparisonRequest
     alignment: Alignment
     horizon: float
@@ -87,12 +87,12 @@ class Comparison:
         data = request.measurement
         yield (
             run.engine.model.name,
-            f"{time_text(run.t_end)} beside {data.source or 'measured data'}, {len(data.times):,} times",
+            f"{time_text(run.engine.t_end)} beside {data.source or 'measured data'}, {len(data.times):,} times",
         )
         yield "instrument", str(request.instrument or "none: the run is compared unfiltered")
         yield "alignment", _alignment(self.alignment)
         for signal in self.signals:
-            yield from _signal_lines(signal, self.horizon, run.t_end, statistics=statistics)
+            yield from _signal_lines(signal, self.horizon, run.engine.t_end, statistics=statistics)
         yield "verdict", _verdict(self)
         for warning in self.warnings:
             yield "warning", warning

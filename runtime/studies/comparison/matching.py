@@ -24,7 +24,7 @@ from hertzwerk.runtime.studies.comparison.signal_statistics import Statistic, st
 from hertzwerk.runtime.studies.comparison.spectra import series_of, spectrum_of
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.solution.solution import EngineSolution
+    from hertzwerk.runtime.simulation import Solution
     from hertzwerk.runtime.studies.comparison.comparison_request import Channel, ComparisonRequest
     from hertzwerk.runtime.system.arrays import Array
 
@@ -35,7 +35,7 @@ PER_SAMPLE = 4  # cells of an unfiltered run in a measured step
 SEED = 0  # of the noise added to the run before statistics
 
 
-def match(run: EngineSolution, request: ComparisonRequest) -> Comparison:
+def match(run: Solution, request: ComparisonRequest) -> Comparison:
     """Compare a run with what was read; raises InputError for a run too short, or without its steps."""
     if not run.engine.history.steps:
         actual, expected = "a saved run, or one that kept a grid", "a run that kept its steps, grid=None"
@@ -59,15 +59,15 @@ def match(run: EngineSolution, request: ComparisonRequest) -> Comparison:
     )
 
 
-def horizon_of(run: EngineSolution) -> float:
+def horizon_of(run: Solution) -> float:
     """Return the time [s] up to which trajectories are compared; a run's end where nothing is known.
 
     Its own error stays within a tenth of what a valid trajectory may have, so as not to be taken for a difference.
     """
     if run.error is None:
-        return run.t_end
+        return run.engine.t_end
     sooner = horizon(run.error.times, run.error.values, OWN)
-    return float(min(t for t in (sooner, run.error.horizon, run.t_end) if t is not None))
+    return float(min(t for t in (sooner, run.error.horizon, run.engine.t_end) if t is not None))
 
 
 def _signal(
@@ -106,7 +106,7 @@ def _signal(
     return Signal(channel, t, measured, run, int(np.sum(~there)), residual, spectrum, statistics, why)
 
 
-def _warnings(run: EngineSolution, request: ComparisonRequest, alignment: Alignment, outside: int) -> Iterator[str]:
+def _warnings(run: Solution, request: ComparisonRequest, alignment: Alignment, outside: int) -> Iterator[str]:
     """Yield what to heed before the numbers are believed."""
     step = float(np.median(np.diff(request.measurement.times)))
     if not run.outcome.finished:

@@ -58,7 +58,7 @@ def _signal(above: Array, below: Array, signal: Signal, comparison: Comparison) 
     close.set_xlabel(f"run time [{times.unit}]")
     close.locator_params(axis="x", nbins=4)  # times of many digits, as of a million samples, stand apart
     _residual(residual, signal, times)
-    end = comparison.solution.t_end
+    end = comparison.solution.engine.t_end
     if comparison.horizon < end:
         for axis in (whole, residual):
             axis.axvspan(*times([comparison.horizon, end]), color=SHADE, zorder=0, label="beyond the horizon")

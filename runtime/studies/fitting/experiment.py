@@ -105,7 +105,7 @@ class Observed:
         predicted = np.full(len(self.at), np.nan)
         if not self.by_impacts:
             times = self.at + offset
-            inside = (times >= run.engine.t_start) & (times <= run.t_end)
+            inside = (times >= run.engine.t_start) & (times <= run.engine.t_end)
             for history, rows in self._by_times(inside):
                 predicted[rows] = run.at(np.sort(times[rows]))[history][_ranks(times[rows])]
             return predicted
@@ -120,7 +120,7 @@ class Observed:
         slopes = np.full((len(self.at), len(of.names)), np.nan)
         if not self.by_impacts:
             times = self.at + offset
-            inside = (times >= run.engine.t_start) & (times <= min(run.t_end, of.until))
+            inside = (times >= run.engine.t_start) & (times <= min(run.engine.t_end, of.until))
             for history, rows in self._by_times(inside):
                 slopes[rows] = of.along(times[rows], history)
         else:

@@ -199,7 +199,7 @@ def concluded(request: FitRequest, search: Search, estimate: Estimate) -> Fit:
     known = identified(estimate.jacobian, forward.searched)
     ends, warnings = intervals(search, estimate, known, request.profile)
     count, point = len(request.free), forward.at(estimate.x)
-    made = [run.parameters for run in point.runs if run is not None]
+    made = [run.settings.parameters for run in point.runs if run is not None]
     units = {free.name: {unit_at(free.unit, parameters) for parameters in made} for free in forward.searched}
     values = [
         FittedValue.of(free, free.outer(float(x)), interval, *(units[free.name] if len(units[free.name]) == 1 else ()))

@@ -98,7 +98,7 @@ def _curve(signal: FittedSignal, fit: Fit) -> tuple[np.ndarray, np.ndarray]:
     run = fit.solutions[number]
     moved = fit.offsets[number]
     fine = np.unique(np.concatenate([np.linspace(signal.at.min(), signal.at.max(), FINE), signal.at]))
-    fine = fine[(fine + moved >= run.engine.t_start) & (fine + moved <= run.t_end)]
+    fine = fine[(fine + moved >= run.engine.t_start) & (fine + moved <= run.engine.t_end)]
     return fine, run.at(fine + moved)[signal.channel.history]
 
 

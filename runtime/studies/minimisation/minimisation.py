@@ -227,7 +227,7 @@ class _Problem:
         """Return what the formulas name of a run, SI."""
         measured = Measured(run)
         outputs = {name: output.of(measured)[0] for name, output in self.outputs.items()}
-        return {**{name: si_of(self.model, name, value) for name, value in run.parameters.items()}, **outputs}
+        return {**{name: si_of(self.model, name, value) for name, value in run.settings.parameters.items()}, **outputs}
 
     def gradient(self, run: Solution, x: np.ndarray) -> np.ndarray:
         """Return the exact gradients (formulas, names) with the places; raises NoDerivativeError, InputError."""
@@ -403,7 +403,9 @@ class _Search:
         return Minimum(
             scene=problem.model.name,
             objective_text=problem.goal.text,
-            values={name: (value, unit_at(units[name], best.run.parameters)) for name, value in values.items()},
+            values={
+                name: (value, unit_at(units[name], best.run.settings.parameters)) for name, value in values.items()
+            },
             objective=float(best.value[0]),
             begun=self.trials[0].objective,
             unit=problem.goal.unit,

@@ -162,7 +162,7 @@ def _bounces(form: Form, law: str, restitutions: Sequence[float]) -> Iterator[Bo
         duration = first.duration or math.nan
         ends = run.at([first.t, first.t + duration])
         speed, lost = ends["height.speed"], ends["contact.dissipated"]
-        t = np.unique(np.concatenate([np.linspace(0, run.t_end, 600), [i.t for i in run.impacts]]))
+        t = np.unique(np.concatenate([np.linspace(0, run.engine.t_end, 600), [i.t for i in run.impacts]]))
         yield Bounce(
             form, law, e, float(-speed[1] / speed[0]), restitution_out(law, e, form.exponent), first.peak_force,
             first.peak_penetration, duration, float(lost[1] / (MASS * speed[0] ** 2 / 2)), len(run.impacts),

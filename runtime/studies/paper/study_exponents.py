@@ -112,7 +112,7 @@ def _impacts(exponents: tuple[float, ...]) -> list[Impact]:
         impacts.append(
             Impact(
                 exponent_unit(n), impact.peak_penetration, impact.peak_force, impact.duration or math.nan,
-                run.final["ball.speed"] / SPEED, run.statistics.steps, impact_curves(run, impact),
+                run.engine.final["ball.speed"] / SPEED, run.statistics.steps, impact_curves(run, impact),
             )
         )  # fmt: skip
     return impacts

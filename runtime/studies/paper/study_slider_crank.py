@@ -104,7 +104,7 @@ class Trajectory:
     def horizon(self) -> float:
         """Time up to which the trajectory is valid [s]."""
         error = self.run.error
-        return self.run.t_end if error is None or error.horizon is None else error.horizon
+        return self.run.engine.t_end if error is None or error.horizon is None else error.horizon
 
 
 def run(quick: bool, progress: Progress, sweeps: Sweeps) -> Page:
@@ -348,7 +348,7 @@ def _trajectory_verdicts(trajectories: Sequence[Trajectory]) -> Iterator[Verdict
         )
     shortest = min(trajectories, key=lambda x: x.horizon)
     yield Verdict(
-        f"trajectories are valid for {shortest.horizon * 1e3:.3g} ms and more ({shortest.label}) of {shortest.run.t_end * 1e3:.3g} ms",
+        f"trajectories are valid for {shortest.horizon * 1e3:.3g} ms and more ({shortest.label}) of {shortest.run.engine.t_end * 1e3:.3g} ms",
         "comparison with tighter runs",
     )  # fmt: skip
     peaks = {x.label: max(i.peak_force for i in x.run.impacts) for x in trajectories}

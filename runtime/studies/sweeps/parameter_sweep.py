@@ -480,16 +480,14 @@ def outputs_of(
 ) -> list[Output]:
     """Return the requested outputs; bad input is appended to `faults`."""
     if functions is not None and not isinstance(functions, Mapping):
-        faults.append(Fault("functions", shown(functions), "a dictionary of functions of the EngineSolution"))
+        faults.append(Fault("functions", shown(functions), "a dictionary of functions of the Solution"))
         functions = None
     none = isinstance(names, Sequence) and not names and not functions
     outputs = finals(model) if none else chosen(model, names, faults)
     taken = {*varied, *TEXTS, *(name for output in outputs for name in output.columns)}
     for name, function in (functions or {}).items():
         if not (isinstance(name, str) and name and callable(function)):
-            faults.append(
-                Fault(f"functions[{name!r}]", shown(function), "a name, and a function of the EngineSolution")
-            )
+            faults.append(Fault(f"functions[{name!r}]", shown(function), "a name, and a function of the Solution"))
         elif name in taken:
             faults.append(Fault(f"functions[{name!r}]", "the name of another column", "a name of its own"))
         else:

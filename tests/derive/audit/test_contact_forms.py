@@ -117,7 +117,7 @@ def runs(name):
     assert run.outcome.finished
     assert run.impacts
     assert run.energy_residual < 1e-5
-    assert run.advice == ()
+    assert run.engine.advice == ()
 
 
 @pytest.mark.parametrize("name", ["wang_liu_internal", "johnson"])
@@ -177,9 +177,9 @@ def test_a_run_of_the_slider_crank_has_a_line_for_each_finding(tmp_path):
     assert warning.startswith(
         "25 of 25 impacts of slider_pin exceed the law's limit v0 <= 1e-5*sqrt(E/rho) = 0.0515 m/s"
     )
-    assert len(run.advice) == 1
+    assert len(run.engine.advice) == 1
     run.save(tmp_path / "run.npz")
-    assert type(run).load(tmp_path / "run.npz").advice == run.advice
+    assert type(run).load(tmp_path / "run.npz").engine.advice == run.engine.advice
 
 
 def test_a_pair_without_a_contact_is_advice():

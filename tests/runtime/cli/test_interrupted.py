@@ -194,7 +194,7 @@ def fails(*_, **__):
 @pytest.mark.parametrize(
     ("place", "name", "lost"),
     [
-        (Solution, "to_csv", {"states.csv"}),
+        (Solution, "to_file", {"states.csv"}),
         (Solution, "averages", set()),
         ("hertzwerk.runtime.output.plots.plot_run", "_overview", {"overview.png"}),
         pytest.param(
@@ -251,7 +251,7 @@ def test_a_large_csv_is_written_on_request_only(run, monkeypatch):
     assert code == 0
     (folder,) = Path("runs").iterdir()
     assert {path.name for path in folder.iterdir()} == {"states.npz", "run.json"}
-    for way in ("--table", "--grid", "to_csv"):
+    for way in ("--table", "--grid", "to_file"):
         assert way in said
         assert any(way in text for text in told["warnings"])
     done = CliRunner().invoke(main, ["run", "two_spheres", "--no-plots", "--table", "forced.csv", "--out", "forced"])

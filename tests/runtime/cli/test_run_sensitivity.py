@@ -18,7 +18,7 @@ def test_derivatives_are_written_beside_the_run(tmp_path):
     assert "sensitivities.csv" in result.output
     header, *rows = csv.reader((tmp_path / "run" / "sensitivities.csv").read_text().splitlines())
     run = simulate(load("slider_crank"), duration="0.6 ms", sensitivities=("restitution",))
-    travel = run.sensitivity("guide.travel", "restitution")
+    travel = run.derivatives["guide.travel", "restitution"]
     assert float(rows[-1][header.index("d(guide.travel)/d(restitution) [m]")]) == pytest.approx(travel[-1], rel=1e-12)
     told = json.loads((tmp_path / "run" / "run.json").read_text())["sensitivities"]["restitution"]
     assert told["final"]["guide.travel"] == pytest.approx(travel[-1], rel=1e-12)

@@ -41,7 +41,9 @@ def _slips_at(expected: float, within: float, source: str = STICKS) -> Known:
 
 def _peaks_beside_their_speeds(run: EngineSolution) -> float:
     """Return how far peak forces are off those by their approach speeds, at most, as a part."""
-    K, m, rate, tilt, g = (run.parameters[name][0] for name in ("stiffness", "mass", "damping_rate", "tilt", "gravity"))
+    K, m, rate, tilt, g = (
+        run.settings.parameters[name][0] for name in ("stiffness", "mass", "damping_rate", "tilt", "gravity")
+    )
     load = m * g * math.cos(tilt)
     return max(abs(each.peak_force / peak_of_oscillator(K, m, rate * m, each.speed, load) - 1) for each in run.impacts)
 

@@ -110,7 +110,7 @@ class _OverTime:
         self, run: EngineSolution, moments: Sequence[SeriesMoment], skip: float | None, interval: float
     ) -> SeriesStatistics:
         filtered = FilteredRun(run, [c.history for c in self.channels], self._request.instrument, self._spacing)
-        start = max(filtered.start, run.engine.t_start + _transient(skip, run.t_end - run.engine.t_start))
+        start = max(filtered.start, run.engine.t_start + _transient(skip, run.engine.t_end - run.engine.t_start))
         times: Array = start + self._spacing * np.arange(int((filtered.end - start) / self._spacing), dtype=float)
         samples = _noisy(filtered.at(times), self.channels)
         return series_statistics(times, samples, moments, interval)
@@ -136,7 +136,7 @@ class _OfImpacts:
     ) -> SeriesStatistics:
         times = [onsets(run, channel.history) for channel in self.channels]
         values = [_noisy(of_impacts(run, channel.history)[:, None], (channel,))[:, 0] for channel in self.channels]
-        span = run.engine.t_start + _transient(skip, run.t_end - run.engine.t_start), run.t_end
+        span = run.engine.t_start + _transient(skip, run.engine.t_end - run.engine.t_start), run.engine.t_end
         return impact_statistics(times, values, moments, span, interval)
 
 

@@ -116,12 +116,12 @@ class RowArrays:
         if times.grid is not None:
             arrays[HISTORIES] = self._packed(run, times.grid)
         end = np.array([run.engine.ends[name][-1] for name in self.end])
-        if self.end and run.t_end >= run.settings.duration and np.isfinite(end).all():
+        if self.end and run.engine.t_end >= run.settings.duration and np.isfinite(end).all():
             arrays[END] = Packed.of(end)
         return arrays
 
     def _packed(self, run: EngineSolution, times: np.ndarray) -> Packed:
-        reached = times[times <= run.t_end]
+        reached = times[times <= run.engine.t_end]
         if not len(reached):
             return Packed.of(np.zeros((0, 1 + len(self.units))))
         history: History = run.at(reached)

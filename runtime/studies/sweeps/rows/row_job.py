@@ -174,7 +174,7 @@ class Job:
             whole = solution.outcome.name != "wall_time_limit"
             if whole:
                 left.take()
-            done = 1.0 if whole else max(solution.t_end / solution.settings.duration, 1e-9)
+            done = 1.0 if whole else max(solution.engine.t_end / solution.settings.duration, 1e-9)
             wall_s = solution.statistics.wall_s + (solution.error.pilot_s if solution.error is not None else 0.0)
             one = min(wall_s / done, self.settings.wall_time or math.inf)
             self.foreseen = one * math.ceil((len(left) + later) / workers)

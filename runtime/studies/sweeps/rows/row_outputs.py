@@ -54,7 +54,7 @@ class Measured:
                 run.engine.scales,
                 run.settings.tolerance,
                 run.engine.t_start,
-                run.t_end,
+                run.engine.t_end,
             )
         )
 
@@ -281,7 +281,7 @@ def _penetration(pair: str) -> Output:
 def _impulse(pair: str, j: int) -> Output:
     def of(measured: Measured) -> float:
         run = measured.run
-        return float(run.engine.findings.sums(run.t_end - run.engine.t_start).impulse[:, j].sum())
+        return float(run.engine.findings.sums(run.engine.t_end - run.engine.t_start).impulse[:, j].sum())
 
     return _number(f"{pair}.impulse", "N s", Needs.STEPS, of)
 

@@ -47,8 +47,8 @@ def test_a_bilinear_spring():
     period = np.pi * (np.sqrt(M / K) + np.sqrt(M / 25))
     pushed = {"position": {"fall": rest}, "speed": {"fall": hd.Parameter("push", "m/s", 3)}}
     run = simulate(load(fall(law, weight=False, **pushed)), duration=period, tolerance=1e-9)
-    assert run.final["fall.travel"] == pytest.approx(REST, abs=1e-6)
-    assert run.final["fall.speed"] == pytest.approx(3, rel=1e-8)
+    assert run.engine.final["fall.travel"] == pytest.approx(REST, abs=1e-6)
+    assert run.engine.final["fall.speed"] == pytest.approx(3, rel=1e-8)
     there = run.at(np.linspace(0, period, 4001))["fall.travel"]
     assert np.ptp(there) == pytest.approx(3 * (np.sqrt(M / K) + np.sqrt(M / 25)), rel=1e-6)
 
@@ -81,7 +81,7 @@ def test_linear_laws_are_a_spring_and_a_damper():
             start,
         )
         run = simulate(load(scene), duration=1.0, tolerance=1e-10)
-        return np.array([run.final[name] for name in ("top.angle", "elbow.angle", "top.speed", "elbow.speed")])
+        return np.array([run.engine.final[name] for name in ("top.angle", "elbow.angle", "top.speed", "elbow.speed")])
 
     one = final(hd.LineForce("strut", *ends, k * (hd.LENGTH - stretch) + damping * hd.LENGTH_RATE))
     two = final(hd.PointSpring("spring", *ends, k, stretch), hd.PointDamper("damper", *ends, damping))

@@ -217,19 +217,19 @@ def test_the_two_models_take_any_damping_factor(model, damping):
     e = 0.2 if damping == "gharib_hurmuzlu" else 0.8
     h = evaluate(LAWS[damping].factor, numbers(LAWS[damping], e=str(e)))
     run = impact(MODELS[model], model, damping, e=e)
-    out = -(run.final["slide.speed"]) / PACE
+    out = -(run.engine.final["slide.speed"]) / PACE
     assert out == pytest.approx(restitution(str(h)), rel=1e-8)
 
 
 def test_release_rules_differ_and_tsuji_is_exact_where_the_gap_opens():
     """Tsuji's law returns its e when the contact ends at d = 0; ended where its force runs out it would return more."""
     run = impact("pin_in_bush", "hertz_point", "tsuji", e=0.7)
-    assert -run.final["slide.speed"] / PACE == pytest.approx(0.7, rel=1e-8)
+    assert -run.engine.final["slide.speed"] / PACE == pytest.approx(0.7, rel=1e-8)
     assert run["joint.normal_force"].min() < 0
     model = engine_model(scene("pin_in_bush", "hertz_point", "tsuji", e=0.7))
     model.module.RELEASES = ("force",)
     early = simulate(model, duration="1 ms", tolerance=1e-10)
-    assert -early.final["slide.speed"] / PACE > 0.71
+    assert -early.engine.final["slide.speed"] / PACE > 0.71
 
 
 def test_a_reconstruction_says_so_in_the_module():
@@ -264,8 +264,10 @@ def test_effective_mass_is_that_of_both_bodies_by_default():
     run = simulate(engine_model(spheres), duration="1 ms", tolerance=1e-10)
     mass = PIN_MASS * BUSH_MASS / (PIN_MASS + BUSH_MASS)
     alone = Impact(LAWS["hertz_point"], LAWS["jankowski"], mass=mass, speed=PACE, e="0.7")
-    assert (run.final["away.speed"] - run.final["slide.speed"]) / PACE == pytest.approx(alone.restitution, rel=1e-7)
-    assert PIN_MASS * run.final["slide.speed"] + BUSH_MASS * run.final["away.speed"] == pytest.approx(
+    assert (run.engine.final["away.speed"] - run.engine.final["slide.speed"]) / PACE == pytest.approx(
+        alone.restitution, rel=1e-7
+    )
+    assert PIN_MASS * run.engine.final["slide.speed"] + BUSH_MASS * run.engine.final["away.speed"] == pytest.approx(
         PIN_MASS * PACE, rel=1e-9
     )
 
@@ -276,7 +278,7 @@ def test_friction_takes_its_share_of_the_impulse(friction):
     run = impact("pin_in_bush", "johnson", "exact", friction, e=0.5)
     mu = {"bengisu_akay": None}.get(friction, 0.2)
     impulse = PIN_MASS * 1.5 * PACE
-    lost = BUSH_MASS * (SLIP - run.final["along.speed"])
+    lost = BUSH_MASS * (SLIP - run.engine.final["along.speed"])
     if mu is None:
         assert (
             0.15 * impulse < lost < 0.17 * impulse

@@ -109,4 +109,4 @@ def test_redundant_loops_come_back_also_where_a_constraint_vanishes(speed):
     back = simulate(model, duration="0.1 s", accuracy=1e-8, initial={**start, "spindle_angle.speed": speed})
     assert back.outcome.finished
     for name, other in names.items():
-        assert back.final[other] == pytest.approx(run.final[name], abs=1e-8)
+        assert back.engine.final[other] == pytest.approx(run.engine.final[name], abs=1e-8)

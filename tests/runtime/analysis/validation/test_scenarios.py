@@ -67,7 +67,7 @@ def test_ten_times_the_duration_ends_for_a_reason_of_the_motion(name):
         "initial": scenario.initial,
     }
     run = simulate(model, **options)
-    assert run.t_end == run.settings.duration
+    assert run.engine.t_end == run.settings.duration
     assert run.energy_residual < 1e-6
     if run.outcome.name == "beyond_horizon":
         assert run.error.worst > 1e-2

@@ -180,8 +180,8 @@ def test_errors_are_true_and_requests_met(of_unstable):
         run = simulate(
             of_unstable.problem.model, duration=4.0, accuracy=row.accuracy, method=row.method, compiled=False
         )
-        travel = abs(run.final["slide.travel"] - math.cos(4 * SWING))
-        speed = abs(run.final["slide.speed"] + SWING * math.sin(4 * SWING))
+        travel = abs(run.engine.final["slide.travel"] - math.cos(4 * SWING))
+        speed = abs(run.engine.final["slide.speed"] + SWING * math.sin(4 * SWING))
         assert row.error == pytest.approx(max(travel, speed / RATE), rel=0.02)
         assert row.error <= 10 * row.accuracy
         assert 0.1 <= row.estimate / row.error <= 10

@@ -47,7 +47,7 @@ model = cache(engine_model)
 
 
 def true_error(run, friction):
-    state = run.final
+    state = run.engine.final
     turned = MECHANISM.w * FAR
     return reference(friction).error(
         FAR,
@@ -414,7 +414,7 @@ def test_a_row_of_a_sweep_has_it_bitwise():
     sweep = simulate_many(model("soft_ball"), sets, duration="1 s", accuracy=1e-5, workers=1, compiled=False)
     run = simulate(model("soft_ball"), duration="1 s", accuracy=1e-5, parameters=sets[0])
     assert sweep["error"][0] == run.error.worst <= 1e-5
-    assert sweep["final.vertical.travel"][0] == run.final["vertical.travel"]
+    assert sweep["final.vertical.travel"][0] == run.engine.final["vertical.travel"]
     assert np.isnan(sweep["error"][1])
     plain = simulate_many(model("soft_ball"), [{}], duration="1 s", tolerance=1e-5, workers=1, compiled=False)
     assert np.isnan(plain["error"][0])
@@ -423,7 +423,7 @@ def test_a_row_of_a_sweep_has_it_bitwise():
 def test_a_request_below_the_floor_is_unreachable_with_the_best_run():
     run = simulate(model("two_spheres"), duration="0.1 s", accuracy=1e-11)
     assert run.outcome.name == "accuracy_unreachable"
-    assert run.t_end == 0.1
+    assert run.engine.t_end == 0.1
     assert 1e-11 < run.error.worst == run.error.floor < 1e-8
     assert "request an accuracy above" in run.outcome.remedy
 
@@ -494,7 +494,7 @@ def test_a_request_whose_error_is_missed_or_unknown_is_never_finished(monkeypatc
         monkeypatch.setattr(accurate_run, "first_tolerance", lambda *_: first.settings.tolerance)
         run = simulate(model("soft_ball"), duration="1 s", accuracy=asked)
         assert run.outcome.name == name
-        assert run.t_end == 1.0
+        assert run.engine.t_end == 1.0
         assert run.error.known == (name == "accuracy_unreachable")
         assert "constraint_lost" in run.outcome.message
     assert first.error.end / 10 < run.error.floor < 10 * first.error.end

@@ -134,7 +134,7 @@ def test_two_runs_of_the_same_steps_are_no_estimate(method, monkeypatch):
 
     def ratio():
         run = simulate(hung, duration="0.3 s", accuracy=1e-3, method=method, compiled=False)
-        off = [abs(run.final[name] - truth.final[name]) for name in (*hung.coordinates, *hung.speeds)]
+        off = [abs(run.engine.final[name] - truth.engine.final[name]) for name in (*hung.coordinates, *hung.speeds)]
         return run.error.end / np.max(off / run.engine.scales.state[: len(off)])
 
     assert 0.1 < ratio() < 10

@@ -42,9 +42,9 @@ def tachometer(between="cubic"):
 
 def agree(run, other, tolerance):
     assert len(run.impacts) == len(other.impacts) > 3
-    for name in other.final:
+    for name in other.engine.final:
         scale = np.abs(other[name]).max()
-        assert abs(run.final[name] - other.final[name]) <= tolerance * scale, name
+        assert abs(run.engine.final[name] - other.engine.final[name]) <= tolerance * scale, name
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])

@@ -50,7 +50,7 @@ def test_a_written_run_is_read_back(tmp_path):
     from hertzwerk.runtime import load, simulate
 
     run = simulate(load("soft_ball"), duration="20 ms", tolerance=1e-6)
-    data = read_measurement(run.to_csv(tmp_path / "states.csv"), ["vertical.travel", "floor.normal_force"])
+    data = read_measurement(run.to_file(tmp_path / "states.csv"), ["vertical.travel", "floor.normal_force"])
     assert np.array_equal(data.times, run.t) and np.array_equal(
         data.si("floor.normal_force"), run["floor.normal_force"]
     )
@@ -73,7 +73,7 @@ def test_the_file_of_a_run_with_two_rows_at_an_event_is_compared(tmp_path):
     rows = run.engine.history.rows[np.sort([*range(len(run.t)), onset])]
     twice = replace(run, engine=replace(run.engine, history=run.engine.history.of(rows)))
     assert np.sum(np.diff(twice.t) == 0) == 1
-    comparison = compare(run, twice.to_csv(tmp_path / "states.csv"), map={"vertical.travel": "vertical.travel"})
+    comparison = compare(run, twice.to_file(tmp_path / "states.csv"), map={"vertical.travel": "vertical.travel"})
     assert comparison.signals[0].residual.rms < 1e-12
     assert "1 times are repeated" in str(comparison)
 

@@ -212,13 +212,13 @@ def test_an_effect(name, coordinates, method):
     assert expected.outcome.finished and abs(expected.energy_residual) < 1e-7, expected
     actual = run(name, coordinates, method, TOLERANCES[method])
     assert actual.outcome.finished, actual
-    for state in expected.final:
+    for state in expected.engine.final:
         size = max(np.abs(expected[state]).max(), 1e-3)
-        assert abs(actual.final[state] - expected.final[state]) <= WITHIN * size, state
+        assert abs(actual.engine.final[state] - expected.engine.final[state]) <= WITHIN * size, state
     if coordinates == "absolute":
         joints = run(name, "tree", "dop853", 1e-12)
         for state in joints.final:
-            if state in expected.engine.model.units or state in expected.final:
-                assert expected.final[state] == pytest.approx(
+            if state in expected.engine.model.units or state in expected.engine.final:
+                assert expected.engine.final[state] == pytest.approx(
                     joints.final[state], abs=WITHIN * max(np.abs(joints[state]).max(), 1e-3)
                 ), state

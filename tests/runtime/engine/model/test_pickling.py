@@ -36,7 +36,7 @@ def test_a_run_is_what_it_was(name, again):
     for history in ("t", *run):
         assert np.array_equal(twin[history].view(np.uint64), run[history].view(np.uint64)), history
     assert (twin.energy_residual, twin.engine.choices) == (run.energy_residual, run.engine.choices)
-    times = np.linspace(0, run.t_end, 17) if run.engine.history.steps else run.t[:5]
+    times = np.linspace(0, run.engine.t_end, 17) if run.engine.history.steps else run.t[:5]
     rows = [each.engine.history.at(times).rows for each in (twin, run)]
     assert np.array_equal(*rows)
     longer = [each.continued(2 * run.settings.duration, compiled=False) for each in (twin, run)]

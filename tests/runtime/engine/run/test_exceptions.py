@@ -62,7 +62,7 @@ def test_an_exception_ends_a_run_of_the_reference_methods(ball):
     run = simulate(ball, **ASKED, method="cvodes", progress=broken)
     assert run.outcome.name == "exception"
     assert "ValueError in broken" in run.outcome.message
-    assert 0.5 <= run.t_end < 1
+    assert 0.5 <= run.engine.t_end < 1
 
 
 def test_exceptions_before_the_first_step_are_raised(ball, monkeypatch):
@@ -77,7 +77,7 @@ def test_an_exception_of_a_run_that_checks_leaves_the_run_it_checks(ball, monkey
     failing(monkeypatch, calls, MemoryError())
     run = simulate(ball, **options)
     assert run.outcome.name == "exception"
-    assert run.t_end == 5
+    assert run.engine.t_end == 5
     assert run.outcome.message.startswith("the run is complete")
 
 
@@ -95,8 +95,8 @@ def test_an_observer_that_fails_takes_no_row_from_the_others(ball, whole, monkey
     monkeypatch.setattr(step_observers.Findings, "take", fails)
     run = simulate(ball, **ASKED, grid=1000)
     assert run.outcome.name == "exception"
-    assert run.t_end == seen[2]
-    assert np.array_equal(run.t, np.linspace(0, 5, 1000)[np.linspace(0, 5, 1000) <= run.t_end])
+    assert run.engine.t_end == seen[2]
+    assert np.array_equal(run.t, np.linspace(0, 5, 1000)[np.linspace(0, 5, 1000) <= run.engine.t_end])
     assert len(seen) == 3
     assert run.engine.checkpoint is None
 

@@ -48,7 +48,7 @@ def test_a_compiler_is_stopped_when_the_time_of_the_call_is_over(crank, slow_com
     assert run.outcome.name == "wall_time_limit"
     assert "wall_time = 1 s" in run.outcome.message
     assert not run.settings.compiled
-    assert run.t_end > 0
+    assert run.engine.t_end > 0
     assert np.all(np.isfinite(run.engine.history.rows))
 
 
@@ -79,7 +79,7 @@ def test_nothing_is_found_of_a_run_that_the_limit_stops(crank, monkeypatch):
     request = {"duration": "24 ms", "accuracy": 1e-6, "compiled": False}
     stopped = simulate(crank, **request, wall_time=1e-9)
     assert stopped.outcome.name == "wall_time_limit"
-    assert 0 < stopped.t_end < 24e-3
+    assert 0 < stopped.engine.t_end < 24e-3
     assert not read
     assert simulate(crank, **request).outcome.finished
     assert read
@@ -223,7 +223,7 @@ def test_auto_turns_to_implicit_steps_where_explicit_ones_are_rejected(pressed, 
     assert run.outcome.finished
     assert check.outcome.finished
     for name in ("base.x", "base.y", "base.angle"):
-        assert run.final[name] == pytest.approx(check.final[name], abs=1e3 * tolerance)
+        assert run.engine.final[name] == pytest.approx(check.engine.final[name], abs=1e3 * tolerance)
     assert run.statistics.steps < 200
     assert [choice.method for choice in run.engine.choices] == ["explicit", "implicit"]
 
@@ -247,7 +247,7 @@ def test_auto_leaves_a_chatter_within_the_tolerance():
     )
     run = simulate(load(scene), duration="0.3 s", tolerance=1e-3, compiled=False, max_steps=3000)
     assert run.outcome.finished
-    assert run.final["fall.travel"] == pytest.approx(0.011 - 0.114 * 9.81 / 1.5e8, abs=1e-9)
+    assert run.engine.final["fall.travel"] == pytest.approx(0.011 - 0.114 * 9.81 / 1.5e8, abs=1e-9)
     assert any("rejected repeatedly" in choice.reason for choice in run.engine.choices)
 
 

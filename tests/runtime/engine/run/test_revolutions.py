@@ -31,9 +31,9 @@ def test_in_absolute_coordinates_too():
 @pytest.mark.parametrize("text", ["0.1 rev", "36 deg"])
 def test_revolutions_are_counted_with_the_run_s_own_parameters(text):
     run = simulate(engine_model("slider_crank"), duration=text, tolerance=1e-4, parameters={"crank_speed": "3000 rpm"})
-    assert run.t_end == pytest.approx(0.1 * 60 / 3000, rel=1e-15)
+    assert run.engine.t_end == pytest.approx(0.1 * 60 / 3000, rel=1e-15)
     longer = run.continued("0.2 rev")
-    assert longer.t_end == pytest.approx(0.2 * 60 / 3000, rel=1e-15)
+    assert longer.engine.t_end == pytest.approx(0.2 * 60 / 3000, rel=1e-15)
 
 
 def driven(*drives):

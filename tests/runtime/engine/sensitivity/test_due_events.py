@@ -29,7 +29,7 @@ def test_a_sample_that_is_due_at_the_end_has_derivatives(method, tolerance):
     run = simulate(load(scene), duration=SAMPLES * PERIOD, tolerance=tolerance, method=method, compiled=False)
     assert run.statistics.events == SAMPLES
     derivatives = run.sensitivities("gain", "target")
-    assert derivatives.reason == "" and derivatives.until == run.t_end
+    assert derivatives.reason == "" and derivatives.until == run.engine.t_end
     x = GAIN * PERIOD / J
     by_gain = TARGET * SAMPLES * (1 - x) ** (SAMPLES - 1) * PERIOD / J
     assert derivatives["main.speed", "gain"][-1] == pytest.approx(by_gain, rel=1e-6)

@@ -46,7 +46,7 @@ def case(scene, coordinates):
         given = {name: (value, units[name] or "1") for name, value in changed.items()}
         how = {"duration": SHORT.get(scene, "0.2 s"), "method": "dop853", "compiled": False}
         run = simulate(model, tolerance=tolerance, parameters=given, **how)
-        return np.array([run.final[state] for state in states])
+        return np.array([run.engine.final[state] for state in states])
 
     exact = ends({})
     noise = np.max([np.abs(exact - ends({}, tolerance)) for tolerance in NOISY], axis=0)

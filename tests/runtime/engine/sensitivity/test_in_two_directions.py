@@ -146,6 +146,6 @@ def test_a_disc_on_three_feet_comes_to_rest_as_differences_say():
         step = 1e-4 * at[name]
         there, back = (rests(**{**at, name: at[name] + sign * step}) for sign in (1, -1))
         for place in places:
-            expected = (there.final[place] - back.final[place]) / (2 * step)
+            expected = (there.engine.final[place] - back.engine.final[place]) / (2 * step)
             size = max(np.max(np.abs(derivatives[place, name])), 1e-12)
             assert derivatives[place, name][-1] == pytest.approx(expected, abs=1e-6 * size)

@@ -49,9 +49,9 @@ def compared(model, names, read, step=1e-3, **how):
     actual, bound, judged = run.sensitivities(*names), model.bind(), 0
     worst = 0.0
     for name in names:
-        now = bound[name] if name in model.parameters else run.initial[name]
+        now = bound[name] if name in model.parameters else run.engine.initial[name]
         expected, unsure = difference(
-            model, name, now, lambda r: np.array([r.final[s] for s in read]), step=step, **how
+            model, name, now, lambda r: np.array([r.engine.final[s] for s in read]), step=step, **how
         )
         for state, value, doubt in zip(read, expected, unsure, strict=True):
             history = actual[state, name]
@@ -276,14 +276,14 @@ def test_a_run_returns_them_on_request(crank):
     how = {"duration": "1 ms", "tolerance": 1e-9, "compiled": False}
     run = simulate(crank, **how, sensitivities=("restitution", "guide.travel"))
     later = simulate(crank, **how).sensitivities("restitution", "guide.travel")
-    found = run.sensitivity("slider_pin.normal_force", "restitution")
+    found = run.derivatives["slider_pin.normal_force", "restitution"]
     np.testing.assert_array_equal(found, later["slider_pin.normal_force", "restitution"])
-    assert (found.unit, found.name, len(found)) == ("N", "d(slider_pin.normal_force)/d(restitution)", len(run.t))
+    assert (run.derivatives.unit("slider_pin.normal_force", "restitution"), len(found)) == ("N", len(run.t))
     assert run.derivatives.impacts("speed", "restitution").tolist() == later.impacts("speed", "restitution").tolist()
-    assert np.isfinite(run.sensitivity("guide.travel", "clearance")[-1])  # not asked for: found now
-    grid = simulate(crank, **how, grid=20, sensitivities=("restitution",)).sensitivity("guide.travel", "restitution")
-    assert grid.values.shape == grid.t.shape == (20,)
-    assert grid[-1] == pytest.approx(later["guide.travel", "restitution"][-1], rel=1e-9)
+    grid = simulate(crank, **how, grid=20, sensitivities=("restitution",))
+    travel = grid.derivatives.at(grid.t, "guide.travel", "restitution")
+    assert travel.shape == (20,)
+    assert travel[-1] == pytest.approx(later["guide.travel", "restitution"][-1], rel=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -317,7 +317,7 @@ def test_events_at_one_instant_that_would_part_have_no_derivative():
     run = made(model, duration="0.5 s", tolerance=1e-10)
     assert len({impact.t for impact in run.impacts}) == 1
     together, parted = (run.sensitivities(name) for name in ("gravity", "left.travel"))
-    assert (together.reason, together.until) == ("", run.t_end)
+    assert (together.reason, together.until) == ("", run.engine.t_end)
     assert (parted.reason, parted.until) == ("simultaneous events that would separate", run.impacts[0].t)
 
 

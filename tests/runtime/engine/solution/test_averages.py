@@ -142,7 +142,9 @@ def test_an_impact_passes_on_what_the_ball_loses(law):
     )  # which it has
     run = simulate(model, duration="100 ms", tolerance=1e-9, parameters={"restitution": 0.7}, compiled=False)
     impulse = run.engine.findings.sums(0.05).impulse[:, model.pairs.index("right_wall")].sum()
-    assert impulse == pytest.approx(MASS * (run.initial["track.speed"] - run.final["track.speed"]), rel=2e-5)
+    assert impulse == pytest.approx(
+        MASS * (run.engine.initial["track.speed"] - run.engine.final["track.speed"]), rel=2e-5
+    )
 
 
 def test_a_motor_puts_in_what_friction_takes():

@@ -81,7 +81,7 @@ def test_energy_that_is_not_the_forces_ends_a_run_so(factor):
     run = simulate(dropped(factor), duration="0.6 s", accuracy=1e-6)
     assert run.outcome.name == "energy_not_closed"
     assert "hertzwerk audit" in run.outcome.remedy
-    assert run.t_end == pytest.approx(0.6)
+    assert run.engine.t_end == pytest.approx(0.6)
     assert run.energy_residual > 1e-4
     assert simulate(dropped(factor), duration="0.6 s", tolerance=1e-9, grid=50).outcome.name == "energy_not_closed"
 

@@ -117,7 +117,7 @@ def beside_their_steps(run):
     """Contacts whose peak is below, or far above, the largest of many values within their steps."""
     found = []
     for impact in run.impacts:
-        end = run.t_end if impact.duration is None else impact.t + impact.duration
+        end = run.engine.t_end if impact.duration is None else impact.t + impact.duration
         within = run.at(np.linspace(impact.t, end, 2001)[:-1])
         for peak, name in ((impact.peak_force, "normal_force"), (impact.peak_penetration, "penetration")):
             largest = within[f"{impact.contact}.{name}"].max()
@@ -160,7 +160,7 @@ def test_of_two_crests_the_higher_is_found_though_a_row_beside_the_other_is_the_
         options = {"parameters": draw.parameters, "tolerance": tolerance, "compiled": False}
         run = simulate(drawn.model(), duration=draw.duration, method="dop853", **options)
         assert run.impacts[-1].duration is None
-        forces = run.at(np.linspace(run.impacts[-1].t, run.t_end, 4001))["slider_pin.normal_force"]
+        forces = run.at(np.linspace(run.impacts[-1].t, run.engine.t_end, 4001))["slider_pin.normal_force"]
         assert forces.max() * (1 - 1e-9) <= run.impacts[-1].peak_force <= forces.max() * (1 + 1e-2)
 
 
@@ -175,7 +175,7 @@ def test_of_two_crests_the_higher_is_found_though_a_row_beside_the_other_is_the_
 def test_crests_that_the_ends_of_steps_hide_are_found(name, duration, method, tolerance):
     run = simulate(name, duration=duration, method=method, tolerance=tolerance, compiled=False)
     last = run.impacts[-1]
-    end = run.t_end if last.duration is None else last.t + last.duration
+    end = run.engine.t_end if last.duration is None else last.t + last.duration
     largest = run.at(np.linspace(last.t, end, 4001)[:-1])[f"{last.contact}.normal_force"].max()
     assert largest * (1 - 1e-9) <= last.peak_force <= largest * (1 + 2e-3)
     assert run.extremes(f"{last.contact}.normal_force").highest >= last.peak_force * (1 - 1e-6)

@@ -264,7 +264,7 @@ def test_all_names_are_reported_and_used_wherever_a_history_is(rattling, tmp_pat
         again["rod.y"]
     with pytest.raises(KeyError, match="did you mean"):
         rattling["rod.xx"]
-    assert beside.to_csv(tmp_path / "run.csv").read_text().splitlines()[0].endswith("rod.x [m],crank_drive.power [W]")
+    assert beside.to_file(tmp_path / "run.csv").read_text().splitlines()[0].endswith("rod.x [m],crank_drive.power [W]")
     table = sweep("slider_crank", over={"clearance": "0.1, 0.2 mm"}, duration="1 ms", tolerance=1e-6,
                   outputs=["crank_drive.torque.max"], histories=["rod.y"], grid=5)  # fmt: skip
     assert (table["crank_drive.torque.max"] > 0).all() and len(table.histories["rod.y"][0]) == 5

@@ -124,7 +124,7 @@ def test_every_method_reads_tables(method):
     best = simulate(tabulated(17), duration=4.0, tolerance=1e-10)
     found = simulate(tabulated(17), duration=4.0, tolerance=1e-6, method=method)
     assert found.outcome.finished
-    assert found.final["slide.travel"] == pytest.approx(best.final["slide.travel"], abs=1e-5)
+    assert found.engine.final["slide.travel"] == pytest.approx(best.engine.final["slide.travel"], abs=1e-5)
 
 
 def ramped(**drive):

@@ -11,6 +11,7 @@ import pytest
 
 from hertzwerk.derive.expressions.parameter import default_value
 from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.engine.model.derived_histories import readings_of
 
 pytestmark = pytest.mark.exhaustive  # half a minute each: readings of both coordinates are derived
 ALONG = "xyz"
@@ -26,7 +27,7 @@ def frames(run):
 
 def end(run, name):
     """Value at the end; 0 of what is zero by structure, and no history."""
-    return run[name][-1] if name in {entry.name for entry in run.model.histories} else 0.0
+    return run[name][-1] if name in readings_of(run.engine.model).rows else 0.0
 
 
 def of_joints(run, joints):

@@ -43,7 +43,7 @@ def crank():
 
 
 def stage_of(run, frames) -> Stage:
-    return Stage.of(run, Clock(np.linspace(run.engine.t_start, run.t_end, frames), 10.0, 1.0))
+    return Stage.of(run, Clock(np.linspace(run.engine.t_start, run.engine.t_end, frames), 10.0, 1.0))
 
 
 def frames_of(path) -> list[np.ndarray]:

@@ -67,7 +67,7 @@ def test_the_first_impact_of_a_saved_run_is_no_polygon(crank, saved):
 def test_every_history_of_a_saved_run_is_near_the_motion(scene, tmp_path):
     run = simulate(engine_model(scene), duration="20 ms" if scene == "journal_lubricated" else "0.3 s", tolerance=1e-8)
     kept = Solution.load(run.save(tmp_path / "run.npz"))
-    times = np.linspace(0, run.t_end, 3001)
+    times = np.linspace(0, run.engine.t_end, 3001)
     true, found = run.at(times), between(kept, times)
     for name in (
         *run.engine.model.coordinates,

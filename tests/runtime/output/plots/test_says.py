@@ -88,7 +88,7 @@ def test_a_run_on_a_grid_is_made_again_bitwise(crank, coarse):
     assert with_steps(crank) is crank
     stopped = simulate(built("slider_crank"), duration="6 ms", tolerance=1e-6, grid=100, max_steps=100)
     again = with_steps(stopped)
-    assert again.t[-1] == stopped.t_end < 6e-3
+    assert again.t[-1] == stopped.engine.t_end < 6e-3
     assert np.array_equal(again.engine.history.rows, crank.engine.history.rows[: len(again.t)])
 
 
@@ -123,7 +123,7 @@ def test_titles_name_what_differs_from_the_scene(crank, monkeypatch):
         assert said in texts(figure)
         assert "crank_speed" not in texts(figure)
     assert "=" not in title.differences(crank)
-    assert "clearance = 0.1 mm" in texts(run.model.draw(parameters={"clearance": "0.1 mm"}))
+    assert "clearance = 0.1 mm" in texts(run.engine.model.draw(parameters={"clearance": "0.1 mm"}))
     monkeypatch.setattr(plot_panel, "differences", lambda _: "")
     assert said not in texts(run.plot())  # it is the title that tells
 

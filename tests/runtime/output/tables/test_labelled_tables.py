@@ -192,7 +192,6 @@ def test_histories_of_a_run_have_units_meanings_and_parameters(run, tmp_path):
         assert found.attrs["parameter.mass"] == "50.0 g"
         assert found.attrs["outcome"] == run.outcome.name
     assert same(pd.read_parquet(run.to_file(tmp_path / "run.parquet")).to_numpy(), frame.to_numpy())
-    assert run.to_file(tmp_path / "run.csv").read_bytes() == run.to_csv(tmp_path / "other.csv").read_bytes()
 
 
 def test_every_kind_of_history_has_a_meaning_of_its_own():

@@ -47,7 +47,7 @@ def test_an_impact_much_shorter_than_the_filter_comes_through_whole(ball):
 def test_cells_hold_the_whole_impulse(ball):
     """Oracle: the momentum, of 1 kg. Samples at points as far apart as the cells miss the impact, or make too much of it."""
     seen = FilteredRun(ball, [NAME], None, 1e-3)
-    momentum = ball.final["vertical.speed"] + 9.81 * ball.t_end
+    momentum = ball.engine.final["vertical.speed"] + 9.81 * ball.engine.t_end
     assert np.sum(seen.values) * seen.spacing == pytest.approx(momentum, rel=1e-6)
     assert np.sum(ball.at(seen.t)[NAME]) * seen.spacing != pytest.approx(momentum, rel=0.5)
 

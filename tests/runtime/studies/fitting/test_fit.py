@@ -23,7 +23,7 @@ def walls():
 
 def heights(run, *, noise=1e-3, seed=0, end=None, count=60):
     """Measured heights of a ball with normal noise [m]."""
-    t = np.linspace(0.02, 0.98 * run.t_end if end is None else end, count)
+    t = np.linspace(0.02, 0.98 * run.engine.t_end if end is None else end, count)
     y = run.at(t)[TRAVEL] + np.random.default_rng(seed).normal(0, noise, count)
     return Measurement(t, {"height": 1e3 * y}, {"height": "mm"}, "heights.csv")
 

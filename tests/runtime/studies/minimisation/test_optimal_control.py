@@ -26,9 +26,9 @@ def test_the_exact_law_brings_the_ball_back(thrown):
     run = thrown["run"]
     (hit,) = run.impacts
     assert run.outcome.finished
-    assert run.final["ball_guide.travel"] == pytest.approx(0.43, abs=1e-3)
-    assert run.final["ball_guide.speed"] == pytest.approx(0, abs=5e-3)
-    assert run.final["hand.travel"] == pytest.approx(0, abs=1e-3)
+    assert run.engine.final["ball_guide.travel"] == pytest.approx(0.43, abs=1e-3)
+    assert run.engine.final["ball_guide.speed"] == pytest.approx(0, abs=5e-3)
+    assert run.engine.final["hand.travel"] == pytest.approx(0, abs=1e-3)
     # the ball is to rise as fast as it fell: the hit turns its momentum, and what damping takes the paddle brings
     free = run.t[run["strike.mode"] == 0]
     for side in (free < hit.t, free > hit.t + hit.duration):

@@ -174,7 +174,7 @@ from hertzwerk.runtime.studies.paper.study_page import Page, Study, Table
 def counted(run):
     with open("computed", "a") as file:
         file.write(".")
-    return run.t_end
+    return run.engine.t_end
 
 def run(quick, progress, sweeps):
     def stop(fraction):
@@ -266,7 +266,7 @@ def height(case):
     def stop(fraction):
         if case == 3:
             raise KeyboardInterrupt  # as where Ctrl-C strikes during a run, which then ends as interrupted
-    return case, whole(simulate(load("bouncing_ball"), duration="0.2 s", progress=stop)).t_end
+    return case, whole(simulate(load("bouncing_ball"), duration="0.2 s", progress=stop)).engine.t_end
 
 def run(quick, progress, sweeps):
     rows, missing = until_stopped([1, 2, 3, 4], height, progress)

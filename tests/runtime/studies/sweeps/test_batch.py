@@ -39,7 +39,7 @@ def test_rows_are_the_single_runs_bitwise_in_order(ball, workers, compiled):
     assert recorded[-1] == 1
     for row, values in zip(sweep, sets, strict=True):
         run = simulate(ball, parameters=values, **SETTINGS)
-        assert row.final == run.final
+        assert row.engine.final == run.engine.final
         assert row["impacts"] == len(run.impacts)
         assert row["peak_force"] == max(impact.peak_force for impact in run.impacts)
         assert (row["energy_residual"], row.warnings) == (run.energy_residual, run.warnings)
@@ -52,7 +52,7 @@ def test_compiled_rows_are_the_same(ball):
     sets = [{"drop_height": height} for height in HEIGHTS[:3]]
     machine, native = (simulate_many(ball, sets, compiled=compiled, **SETTINGS) for compiled in (False, True))
     assert (machine.compiled, native.compiled) == (False, True)
-    assert [row.final for row in machine] == [row.final for row in native]
+    assert [row.engine.final for row in machine] == [row.engine.final for row in native]
 
 
 @pytest.mark.parametrize("workers", [1, 2])
@@ -188,7 +188,7 @@ from hertzwerk.runtime import simulate_many
 from hertzwerk.runtime.loading import engine_model
 def tell(run):
     os.write(1, f"{os.getpid():10}\\n".encode())
-    time.sleep(600 if run.initial["vertical.speed"] else 0)
+    time.sleep(600 if run.engine.initial["vertical.speed"] else 0)
     return 0.0
 sets = [{}] + [{"vertical.speed": "-1 m/s"}] * 3
 simulate_many(engine_model("bouncing_ball"), sets, duration="1 s", tolerance=1e-6, workers=2, compiled=False, functions={"x": tell})
@@ -209,9 +209,9 @@ simulate_many(engine_model("bouncing_ball"), sets, duration="1 s", tolerance=1e-
 
 def test_of_all_rows_only_the_guilty_ones_are_lost(ball):
     def die(run):
-        if round(run.initial["vertical.travel"], 6) in (1.3, 1.9):  # 0.1 m above the drop height
+        if round(run.engine.initial["vertical.travel"], 6) in (1.3, 1.9):  # 0.1 m above the drop height
             os._exit(3)
-        return run.t_end
+        return run.engine.t_end
 
     heights = [round(0.5 + 0.1 * i, 1) for i in range(20)]
     sets = [{"drop_height": f"{height} m"} for height in heights]

@@ -30,8 +30,8 @@ def test_a_contact_in_progress_goes_on_as_it_was():
     latch = {"floor.approach_speed": (float(state["floor.approach_speed"][0]), "m/s")}
     rest = simulate(ball, duration=0.6 - cut, initial={**start, **latch}, **how)
     anew = simulate(ball, duration=0.6 - cut, initial=start, **how)
-    assert rest.final["vertical.travel"] == pytest.approx(whole.final["vertical.travel"], abs=1e-8)
-    assert abs(anew.final["vertical.travel"] - whole.final["vertical.travel"]) > 1e-4
+    assert rest.engine.final["vertical.travel"] == pytest.approx(whole.engine.final["vertical.travel"], abs=1e-8)
+    assert abs(anew.engine.final["vertical.travel"] - whole.engine.final["vertical.travel"]) > 1e-4
     with pytest.raises(InputError, match="a value in m/s"):
         simulate(ball, duration="0.1 s", initial={"floor.approach_speed": "1 kg"})
 
@@ -44,7 +44,7 @@ def test_each_value_starts_from_the_end_of_the_one_before_bitwise(crank, continu
     start = {}
     for row in table if continued == "up" else reversed(table.rows):
         run = simulate(crank, parameters=row.stated, initial=start, duration="2 rev", tolerance=1e-6, compiled=False)
-        assert row.final == run.final
+        assert row.engine.final == run.engine.final
         assert list(row.stated) == ["crank_speed"]
         start = {name: (float(run.engine.ends[name][-1]), units[name]) for name in names}
     assert list(table["crank_speed"]) == sorted(table["crank_speed"])

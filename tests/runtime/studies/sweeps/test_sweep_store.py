@@ -38,7 +38,7 @@ def counted(tmp_path):
 
     def height(run):
         with open(file, "a") as log:  # noqa: PTH123
-            log.write(f"{run.initial['vertical.travel']!r}\n")
+            log.write(f"{run.engine.initial['vertical.travel']!r}\n")
         return 0.0
 
     def computed():
@@ -232,12 +232,12 @@ def test_a_lost_row_is_tried_anew_by_the_next_call_and_in_a_process_of_its_own(b
     tries = str(tmp_path / "tries")
 
     def end(run):
-        if run.initial["vertical.travel"] > 1.4:
+        if run.engine.initial["vertical.travel"] > 1.4:
             with open(tries, "a") as log:  # noqa: PTH123
                 log.write("x")
             if Path(tries).stat().st_size <= 4:
                 os._exit(3)
-        return run.t_end
+        return run.engine.t_end
 
     how = {**BALL, "compiled": compiled, "workers": 2, "functions": {"end": end}, "out": tmp_path / "a"}
     first = sweep(ball, OVER, **how)
@@ -320,8 +320,8 @@ from hertzwerk.runtime.studies.sweeps import sweep_store
 
 def note(run):
     with open(sys.argv[2], "a") as log:
-        log.write(f"{sys.argv[3]} {run.parameters['drop_height'][0]!r}\\n")
-    return run.final["vertical.travel"]
+        log.write(f"{sys.argv[3]} {run.settings.parameters['drop_height'][0]!r}\\n")
+    return run.engine.final["vertical.travel"]
 
 def late(self, rows, points, held={}, where={}):
     held |= rows

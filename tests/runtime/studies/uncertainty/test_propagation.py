@@ -81,7 +81,7 @@ def test_a_product_has_an_interaction(ball):
     """Kinetic energy m (g t)^2/2 of two independent factors: V = E[a]^2 V[b] + E[b]^2 V[a] + V[a] V[b]."""
     uncertain = {"mass": Uniform("0.2 kg", "1.8 kg"), "gravity": LogNormal("9.81 m/s^2", 1.3)}
     (found,) = propagate(
-        ball, uncertain, [], functions={"energy": lambda run: run.parameters["mass"][0] * run.final["vertical.speed"] ** 2 / 2},
+        ball, uncertain, [], functions={"energy": lambda run: run.settings.parameters["mass"][0] * run.engine.final["vertical.speed"] ** 2 / 2},
         sample=256, duration="0.2 s", **SHORT,
     )  # fmt: skip
     a, b = stats.uniform(0.2, 1.6), stats.lognorm(2 * math.log(1.3), scale=(G * 0.2) ** 2 / 2)

@@ -244,7 +244,7 @@ def test_a_ball_shot_into_a_soft_solid_comes_back_as_fast(solid):
     run = simulate(load(scene), duration="0.1 s", accuracy=1e-8)
     assert run.impacts[0].peak_penetration == pytest.approx(speed * np.sqrt(m / 2000), rel=1e-7)
     assert run.impacts[0].peak_penetration > 1.5 * r
-    assert run.final["height.speed"] == pytest.approx(speed, rel=1e-7)
+    assert run.engine.final["height.speed"] == pytest.approx(speed, rel=1e-7)
 
 
 def test_gap_and_force_go_on_from_face_to_edge_to_corner():

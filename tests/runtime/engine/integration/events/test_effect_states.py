@@ -64,7 +64,7 @@ def test_a_stiff_current_is_passed_by_implicit_steps():
     steps = {method: run.statistics.steps for method, run in runs.items()}
     speed = V / K * (1 - np.exp(-0.5 * K**2 / (R * J)))
     for run in runs.values():
-        assert run.final["main.speed"] == pytest.approx(speed, rel=1e-4)
+        assert run.engine.final["main.speed"] == pytest.approx(speed, rel=1e-4)
     assert steps["dopri5"] > 30_000 > 20 * steps["auto"]
     assert max(steps["esdirk"], steps["rodas"]) < 300
 
@@ -116,7 +116,7 @@ def test_a_sample_that_is_due_at_the_end_of_a_run_is_taken():
     ways = [*product(("dop853", "dopri5", "esdirk"), (1e-4, 1e-6, 1e-10)), ("cvodes", 1e-6)]
     runs = [simulate(model, duration=0.05, method=method, tolerance=tolerance) for method, tolerance in ways]
     assert [run.statistics.events for run in runs] == [5] * len(ways)
-    assert [run.final["control.countdown"] for run in runs] == pytest.approx([0.01] * len(ways))
+    assert [run.engine.final["control.countdown"] for run in runs] == pytest.approx([0.01] * len(ways))
     assert simulate(model, duration=0.05 - 1e-7, tolerance=1e-6).statistics.events == 4
 
 
@@ -244,9 +244,9 @@ def test_events_follow_each_other_at_one_instant():
     assert run["first.closed"].tolist() == run["second.closed"].tolist()
     closes = run.t[np.argmax(run["second.closed"] > 0)]
     assert closes == pytest.approx(0.5, rel=1e-9)  # 4 N on 2 kg reach 1 m/s
-    assert run.final["slide.speed"] == pytest.approx(1, rel=1e-9)
+    assert run.engine.final["slide.speed"] == pytest.approx(1, rel=1e-9)
     ready = simulate(run.engine.model, duration=0.1, tolerance=1e-8, initial={"first.closed": 1})
-    assert ready.final["slide.speed"] == 0  # an event is due at the start
+    assert ready.engine.final["slide.speed"] == 0  # an event is due at the start
 
 
 def test_events_between_impacts():
@@ -278,7 +278,7 @@ def test_events_between_impacts():
         assert np.count_nonzero(np.diff(run["relay.sign"])) >= 4
         assert run.energy_residual < 1e-6
     one, other = runs.values()
-    assert one.final["slide.travel"] == pytest.approx(other.final["slide.travel"], rel=1e-5)
+    assert one.engine.final["slide.travel"] == pytest.approx(other.engine.final["slide.travel"], rel=1e-5)
 
 
 # -- faults ------------------------------------------------------------------------------------------------------------

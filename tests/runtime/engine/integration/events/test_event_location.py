@@ -67,7 +67,7 @@ def test_a_force_that_jumps_below_zero_ends_its_contact_at_the_jump(method):
     start = {"path.travel": "1 mm", "path.speed": "-1 m/s"}
     run = simulate(model, duration=0.1, tolerance=1e-9, method=method, initial=start, max_steps=1000)
     assert run.outcome.finished
-    assert run.final["path.speed"] == pytest.approx(math.sqrt(0.99), abs=1e-8)
+    assert run.engine.final["path.speed"] == pytest.approx(math.sqrt(0.99), abs=1e-8)
 
 
 def quadratic(curvature: float, height: float):
@@ -95,7 +95,7 @@ def test_a_graze_within_rounding_of_the_surface_changes_nothing(method):
         model, initial = quadratic(9.81, height)
         run = simulate(model, duration=1.0, tolerance=1e-9, method=method, initial=initial)
         assert run.outcome.finished
-        assert run.final["path.travel"] == pytest.approx(9.81 / 4, abs=1e-8)
+        assert run.engine.final["path.travel"] == pytest.approx(9.81 / 4, abs=1e-8)
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -150,7 +150,7 @@ def test_a_contact_that_would_pull_ends_where_its_force_ends(method):
     speed = v * math.exp(-z * w * end) * (z * w / wd * math.sin(wd * end) - math.cos(wd * end))
     (impact,) = run.impacts
     assert impact.duration == pytest.approx(end, rel=1e-9)
-    assert run.final["path.speed"] == pytest.approx(speed, rel=1e-9)
+    assert run.engine.final["path.speed"] == pytest.approx(speed, rel=1e-9)
     modes = [int(mode) for mode in run["surface.mode"]]
     assert [mode for mode, before in zip(modes, [None, *modes], strict=False) if mode != before] == [1, 2, 0]
     assert np.min(run["surface.normal_force"]) >= 0
@@ -173,7 +173,7 @@ def test_released_and_pressed_in_again_is_in_contact_again(method):
     assert np.all(run["path.travel"][: again + 1] < 0)  # the gap never opened
     assert abs(run["path.speed"][again]) < 1e-8  # it is where the opening speed runs out
     assert np.all(run["surface.normal_force"][modes == 2] == 0)
-    assert run.final["path.travel"] == pytest.approx(-0.04, rel=1e-3)  # 400 N on 1e4 N/m: held again
+    assert run.engine.final["path.travel"] == pytest.approx(-0.04, rel=1e-3)  # 400 N on 1e4 N/m: held again
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -183,7 +183,7 @@ def test_an_event_at_the_end_of_the_run(method, shift):
     run = simulate(model, duration=1.0 + shift, tolerance=1e-9, method=method)
     assert run.outcome.finished
     assert run.t[-1] == 1.0 + shift
-    assert run.final["path.travel"] == pytest.approx(1 - (1 + shift) ** 2, abs=1e-10)
+    assert run.engine.final["path.travel"] == pytest.approx(1 - (1 + shift) ** 2, abs=1e-10)
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -205,7 +205,7 @@ def test_a_contact_that_hardly_reaches_its_surface_goes_on_in_time(method):
     assert np.all(np.diff(run.t) > 0)
     assert abs(run["path.travel"]).min() < 1e-2 * tolerance  # a step ended there
     assert np.all(run["surface.mode"] == 1)
-    assert run.final["path.travel"] == pytest.approx(start + 3e-3 * speed - 4.5e-6 * push, abs=1e-12)
+    assert run.engine.final["path.travel"] == pytest.approx(start + 3e-3 * speed - 4.5e-6 * push, abs=1e-12)
 
 
 def test_a_force_whose_rate_misleads_is_landed_on_all_the_same():

@@ -59,7 +59,7 @@ def test_sliding_to_rest(model, method):
     sticks = np.flatnonzero(slip == 0)
     assert run.outcome.finished
     assert run.t[sticks[0]] == pytest.approx(1 / deceleration, rel=1e-8)
-    assert run.final["along_0.travel"] == pytest.approx(1 / (2 * deceleration), rel=1e-8)
+    assert run.engine.final["along_0.travel"] == pytest.approx(1 / (2 * deceleration), rel=1e-8)
     assert np.max(np.abs(run["along_0.speed"][sticks])) < 1e-15
     assert np.array_equal(sticks, np.arange(sticks[0], len(slip)))  # once it sticks it stays
     assert np.all(slip[: sticks[0]] == -1)  # the tangent is -x
@@ -67,7 +67,7 @@ def test_sliding_to_rest(model, method):
     assert np.max(np.abs(force[sticks])) < 1e-9
     assert run.energy_residual < 1e-8
     assert run["energy_ledger.input"][-1] == 0 if "energy_ledger.input" in run else True
-    assert run.final["rub_0.dissipated"] == pytest.approx(MOVING / 2, rel=1e-8)
+    assert run.engine.final["rub_0.dissipated"] == pytest.approx(MOVING / 2, rel=1e-8)
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -84,8 +84,8 @@ def test_just_above_the_friction_angle_it_slides(model, method):
     angle = (1 + 1e-6) * CRITICAL
     run = simulate(model, duration="2 s", method=method, tolerance=1e-8, parameters={"slope": angle})
     a = GRAVITY * math.sin(angle) - MU_K * WEIGHT * math.cos(angle) / MOVING
-    assert run.final["along_0.speed"] == pytest.approx(2 * a, rel=1e-8)
-    assert run.final["along_0.travel"] == pytest.approx(2 * a, rel=1e-8)
+    assert run.engine.final["along_0.speed"] == pytest.approx(2 * a, rel=1e-8)
+    assert run.engine.final["along_0.travel"] == pytest.approx(2 * a, rel=1e-8)
     assert run.energy_residual < 1e-7
 
 
@@ -119,8 +119,10 @@ def test_thrown_uphill_it_turns_without_sticking(model, method):
     t = speed / up
     assert not np.any(run["floor_0.slip"] == 0)
     assert run.t[np.flatnonzero(run["floor_0.slip"] == -1)[0]] == pytest.approx(t, rel=1e-8)
-    assert run.final["along_0.speed"] == pytest.approx(down * (1 - t), rel=1e-8)
-    assert run.final["along_0.travel"] == pytest.approx(-(speed**2) / (2 * up) + down * (1 - t) ** 2 / 2, rel=1e-8)
+    assert run.engine.final["along_0.speed"] == pytest.approx(down * (1 - t), rel=1e-8)
+    assert run.engine.final["along_0.travel"] == pytest.approx(
+        -(speed**2) / (2 * up) + down * (1 - t) ** 2 / 2, rel=1e-8
+    )
     assert run.energy_residual < 1e-7
 
 
@@ -132,7 +134,7 @@ def test_bounces_take_an_impulse_each():
     )  # fmt: skip
     pushed = MASS * (run["up_0.speed"][-1] - run["up_0.speed"][0]) + WEIGHT * 0.3
     assert len(run.impacts) == 2
-    assert run.final["along_0.speed"] == pytest.approx(3 - MU_K * pushed / MOVING, rel=1e-9)
+    assert run.engine.final["along_0.speed"] == pytest.approx(3 - MU_K * pushed / MOVING, rel=1e-9)
     assert run.energy_residual < 1e-8
     assert set(run["floor_0.slip"][run["floor_0.mode"] == 1]) == {-1.0}
     assert set(run["floor_0.slip"][run["floor_0.mode"] == 0]) == {0.0}
@@ -146,8 +148,8 @@ def test_bounces_on_a_slope_agree(model, method):
     run = simulate(model, tolerance=1e-8, method=method, **options)
     slip, mode = best["floor_0.slip"], best["floor_0.mode"]
     assert {-1.0, 0.0} <= set(slip[mode == 1])
-    assert run.final["along_0.travel"] == pytest.approx(best.final["along_0.travel"], abs=1e-7)
-    assert run.final["along_0.speed"] == pytest.approx(best.final["along_0.speed"], abs=2e-6)
+    assert run.engine.final["along_0.travel"] == pytest.approx(best.engine.final["along_0.travel"], abs=1e-7)
+    assert run.engine.final["along_0.speed"] == pytest.approx(best.engine.final["along_0.speed"], abs=2e-6)
     assert run.energy_residual < (3e-6 if method in REFERENCES else 1e-6)  # of what moves, millimetres high
 
 
@@ -210,10 +212,12 @@ def test_redundant_contacts_share_what_they_hold(method):
         assert run[f"{foot}.friction_force"][-1] == pytest.approx(GRAVITY * math.sin(0.25), rel=1e-7)
     assert np.max(np.abs(run["along.speed"])) < 1e-13
     run = simulate(model, duration="1 s", method=method, tolerance=1e-8, parameters={"slope": 0.35})
-    assert run.final["along.speed"] == pytest.approx(GRAVITY * (math.sin(0.35) - MU_K * math.cos(0.35)), rel=1e-6)
+    assert run.engine.final["along.speed"] == pytest.approx(
+        GRAVITY * (math.sin(0.35) - MU_K * math.cos(0.35)), rel=1e-6
+    )
     run = simulate(model, duration="1 s", method=method, tolerance=1e-8, parameters={"slide": "1 m/s"})
-    assert run.final["along.travel"] == pytest.approx(1 / (2 * MU_K * GRAVITY), rel=1e-8)
-    assert run.final["along.speed"] == pytest.approx(0, abs=1e-14)
+    assert run.engine.final["along.travel"] == pytest.approx(1 / (2 * MU_K * GRAVITY), rel=1e-8)
+    assert run.engine.final["along.speed"] == pytest.approx(0, abs=1e-14)
     assert run.energy_residual < 1e-7
 
 
@@ -226,9 +230,9 @@ def test_a_body_that_rocks_loads_its_feet_unequally(method):
     rows = run.at(np.linspace(0.3, 0.9, 300))
     shift = np.mean(rows["front.normal_force"] - rows["rear.normal_force"])
     assert shift * FEET == pytest.approx(2 * MU_K * GRAVITY * 0.05, rel=1e-3)
-    assert run.final["along.travel"] == pytest.approx(2**2 / (2 * MU_K * GRAVITY), rel=1e-5)
+    assert run.engine.final["along.travel"] == pytest.approx(2**2 / (2 * MU_K * GRAVITY), rel=1e-5)
     assert run["front.slip"][-1] == run["rear.slip"][-1] == 0
-    assert abs(run.final["along.speed"]) < 1e-8  # the tolerance
+    assert abs(run.engine.final["along.speed"]) < 1e-8  # the tolerance
     assert run.energy_residual < 1e-7
 
 
@@ -274,8 +278,8 @@ def test_stuck_on_what_slides(method):
     slides = run.t < 0.5
     assert np.all(run["deck.slip"] == 0)
     assert np.abs(run["deck.friction_force"][slides]) == pytest.approx(0.2 * GRAVITY, rel=1e-6)
-    assert run.final["sled_x.travel"] == pytest.approx(1 / (2 * 0.2 * GRAVITY), rel=1e-8)
-    assert abs(run.final["cart_x.travel"]) < 1e-10
+    assert run.engine.final["sled_x.travel"] == pytest.approx(1 / (2 * 0.2 * GRAVITY), rel=1e-8)
+    assert abs(run.engine.final["cart_x.travel"]) < 1e-10
     assert run.energy_residual < 1e-7
 
 
@@ -284,13 +288,13 @@ def test_sliding_on_what_sticks(method):
     """0.1 above, 0.3 below: the slab brakes faster and stands still under the block, which slides on for as long as 0.1 g takes."""
     run = simulate(built(stack, 0.1, 0.3), duration="1.2 s", method=method, tolerance=1e-8)
     slab = (0.3 * 4 * GRAVITY - 0.1 * GRAVITY) / 3
-    assert run.final["sled_x.travel"] == pytest.approx(1 / (2 * slab), rel=1e-8)
-    assert run.final["cart_x.travel"] == pytest.approx(1 / (2 * 0.1 * GRAVITY) - 1 / (2 * slab), rel=1e-8)
+    assert run.engine.final["sled_x.travel"] == pytest.approx(1 / (2 * slab), rel=1e-8)
+    assert run.engine.final["cart_x.travel"] == pytest.approx(1 / (2 * 0.1 * GRAVITY) - 1 / (2 * slab), rel=1e-8)
     between = (run.t > 1 / slab + 0.01) & (run.t < 1 / (0.1 * GRAVITY) - 0.01)
     assert np.all(run["ground.slip"][between] == 0)
     assert np.abs(run["ground.friction_force"][between]) == pytest.approx(0.1 * GRAVITY, rel=1e-6)
-    assert run.final["sled_x.speed"] == pytest.approx(0, abs=1e-14)
-    assert run.final["cart_x.speed"] == pytest.approx(0, abs=1e-14)
+    assert run.engine.final["sled_x.speed"] == pytest.approx(0, abs=1e-14)
+    assert run.engine.final["cart_x.speed"] == pytest.approx(0, abs=1e-14)
 
 
 # ---- a ball that rolls -----------------------------------------------------------------------------------------------
@@ -333,7 +337,7 @@ def test_sliding_becomes_rolling(method):
     begins = np.flatnonzero(run["floor.slip"] == 0)[0]
     assert run.t[begins] == pytest.approx(2 * (v + RADIUS * w) / (7 * MU_K * GRAVITY), rel=1e-7)
     assert run["x.speed"][begins:] == pytest.approx(rolling, rel=1e-7)
-    assert run.final["spin.speed"] == pytest.approx(-rolling / RADIUS, rel=1e-7)
+    assert run.engine.final["spin.speed"] == pytest.approx(-rolling / RADIUS, rel=1e-7)
     assert np.max(np.abs(run["floor.friction_force"][begins:])) < 1e-8
     assert run.energy_residual < 1e-7
 
@@ -347,11 +351,11 @@ def test_a_bounce_with_backspin(method, mu, grips_it):
         parameters={"mu_k": mu, "mu_s": mu, "fall": "2 m/s", "stiffness": "1e6 N/m", "gravity": "1e-6 m/s^2"},
     )  # fmt: skip
     (impact,) = run.impacts
-    leaves = run.final["y.speed"]
+    leaves = run.engine.final["y.speed"]
     v, w = 1.0, 60.0
     along = (5 * v - 2 * RADIUS * w) / 7 if grips_it else v - mu * (leaves + impact.speed)
-    assert run.final["x.speed"] == pytest.approx(along, rel=1e-6)
-    assert run.final["spin.speed"] == pytest.approx(w - 5 / (2 * RADIUS) * (v - along), rel=1e-6)
+    assert run.engine.final["x.speed"] == pytest.approx(along, rel=1e-6)
+    assert run.engine.final["spin.speed"] == pytest.approx(w - 5 / (2 * RADIUS) * (v - along), rel=1e-6)
     assert run.energy_residual < 1e-6
 
 
@@ -400,8 +404,8 @@ def test_free_oscillations_lose_four_friction_lengths_each(method):
     assert run.t[changes] == pytest.approx([math.pi / 10 * n for n in range(1, turns + 1)], rel=1e-6)
     assert run["path.travel"][changes] == pytest.approx([-(x0 - 2 * way), x0 - 4 * way, -(x0 - 6 * way)], abs=2e-8)
     assert list(run["touch.slip"][changes]) == [1, -1, 0]
-    assert run.final["path.travel"] == pytest.approx(-(x0 - 6 * way), abs=2e-8)
-    assert abs(run.final["path.speed"]) < 1e-16
+    assert run.engine.final["path.travel"] == pytest.approx(-(x0 - 6 * way), abs=2e-8)
+    assert abs(run.engine.final["path.speed"]) < 1e-16
     assert run.energy_residual < (1e-6 if method in REFERENCES else 1e-7)
 
 
@@ -439,7 +443,7 @@ def test_the_pin_of_the_slider_crank_slips_and_sticks_in_its_bush():
     travel = runs["dop853"].final["guide.travel"]
     assert {-1.0, 0.0, 1.0} == set(runs["dop853"]["slider_pin.slip"])
     for method, run in runs.items():
-        assert run.final["guide.travel"] == pytest.approx(travel, abs=3e-8 if method in REFERENCES else 2e-9)
+        assert run.engine.final["guide.travel"] == pytest.approx(travel, abs=3e-8 if method in REFERENCES else 2e-9)
         assert run.energy_residual < 1e-6
     layers = ("1e-2 m/s", "1e-3 m/s", "1e-4 m/s")
     errors = [

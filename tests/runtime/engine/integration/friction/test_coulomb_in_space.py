@@ -44,11 +44,11 @@ def test_a_ball_rolls_below_the_angle(method, share):
     run = simulate(built(), duration="0.5 s", method=method, tolerance=1e-8, parameters={"slope": slope})
     speed = 5 / 7 * GRAVITY * math.sin(slope) * 0.5
     assert np.all(run["floor.slip"] == 0)
-    assert run.final["flight.x_speed"] == pytest.approx(speed, rel=1e-8)
-    assert run.final["flight.angular_speed_z"] == pytest.approx(-speed / RADIUS, rel=1e-8)
+    assert run.engine.final["flight.x_speed"] == pytest.approx(speed, rel=1e-8)
+    assert run.engine.final["flight.angular_speed_z"] == pytest.approx(-speed / RADIUS, rel=1e-8)
     assert run["floor.friction_force"][-1] == pytest.approx(-2 / 7 * MASS * GRAVITY * math.sin(slope), rel=1e-6)
     assert run["floor.sliding_velocity"][-1] < 1e-12
-    assert run.final["rub.dissipated"] == pytest.approx(0, abs=1e-15)
+    assert run.engine.final["rub.dissipated"] == pytest.approx(0, abs=1e-15)
     assert run.energy_residual < 1e-8
 
 
@@ -62,10 +62,10 @@ def test_a_ball_slides_above_the_angle(method, share):
     spin = 5 / 2 * MU * GRAVITY * math.cos(slope) / RADIUS
     slips = 0.5 * (rate - spin * RADIUS)
     assert np.all(run["floor.slip"][1:] == 1)
-    assert run.final["flight.x_speed"] == pytest.approx(0.5 * rate, rel=1e-7)
-    assert run.final["flight.angular_speed_z"] == pytest.approx(-0.5 * spin, rel=1e-7)
+    assert run.engine.final["flight.x_speed"] == pytest.approx(0.5 * rate, rel=1e-7)
+    assert run.engine.final["flight.angular_speed_z"] == pytest.approx(-0.5 * spin, rel=1e-7)
     assert run["floor.sliding_velocity"][-1] == pytest.approx(slips, rel=1e-5, abs=1e-7)
-    assert run.final["rub.dissipated"] == pytest.approx(
+    assert run.engine.final["rub.dissipated"] == pytest.approx(
         MU * MASS * GRAVITY * math.cos(slope) * slips / 4, rel=1e-5, abs=1e-8
     )
     assert run.energy_residual < 1e-8
@@ -96,9 +96,9 @@ def test_a_ball_with_side_spin_runs_on_a_parabola_until_it_rolls(method, coordin
     for i, t in enumerate((0.5 * end, 0.9 * end)):
         found = [rows[f"flight.{axis}"][i] for axis in "xz"]
         assert found == pytest.approx(np.array([2 * t, 0]) + pull * t * t / 2, rel=1e-7)
-    final = [run.final[f"flight.{axis}_speed"] for axis in "xz"]
+    final = [run.engine.final[f"flight.{axis}_speed"] for axis in "xz"]
     assert final == pytest.approx(np.array([2, 0]) + pull * end, rel=1e-7)
-    assert run.final["rub.dissipated"] == pytest.approx(MASS * speed**2 / 7, rel=1e-7)
+    assert run.engine.final["rub.dissipated"] == pytest.approx(MASS * speed**2 / 7, rel=1e-7)
     assert run.energy_residual < 1e-8
 
 
@@ -130,8 +130,8 @@ def test_launched_across_the_critical_incline_half_the_speed_is_left(method):
         parameters={"slope": slope, "v_z": f"{v0} m/s", "mu_s": 0.3},
     )  # fmt: skip
     v, phi = v0 * (1 + tau**2) / 2, 2 * math.atan(tau)
-    assert run.final["x.speed"] == pytest.approx(v * math.cos(phi), rel=1e-6)
-    assert run.final["z.speed"] == pytest.approx(v * math.sin(phi), rel=1e-5)
+    assert run.engine.final["x.speed"] == pytest.approx(v * math.cos(phi), rel=1e-6)
+    assert run.engine.final["z.speed"] == pytest.approx(v * math.sin(phi), rel=1e-5)
     assert v == pytest.approx(v0 / 2, rel=1e-3)
     assert run.energy_residual < 1e-8
 
@@ -149,7 +149,7 @@ def test_launched_across_a_gentler_incline_it_stops_while_it_turns(method, ratio
     rests = np.flatnonzero(run["floor.slip"] == 0)
     assert run.t[rests[0]] == pytest.approx(stop, rel=5e-6)
     assert np.array_equal(rests, np.arange(rests[0], len(run.t)))
-    assert abs(run.final["x.speed"]) + abs(run.final["z.speed"]) < 1e-14
+    assert abs(run.engine.final["x.speed"]) + abs(run.engine.final["z.speed"]) < 1e-14
     assert run.energy_residual < 1e-8
     assert len(run.t) < 3000
 
@@ -166,8 +166,8 @@ def test_thrown_uphill_it_turns_back_without_sticking(method):
     t = 1 / (sin + drag)
     assert run.outcome.finished
     assert not np.any(run["floor.slip"] == 0)
-    assert run.final["x.speed"] == pytest.approx((sin - drag) * (0.5 - t), rel=1e-4)
-    assert abs(run.final["z.speed"]) < aside / 10
+    assert run.engine.final["x.speed"] == pytest.approx((sin - drag) * (0.5 - t), rel=1e-4)
+    assert abs(run.engine.final["z.speed"]) < aside / 10
     assert run.energy_residual < 1e-8
 
 

@@ -65,7 +65,7 @@ def test_a_disc_on_three_feet_stops_sliding_and_spinning_at_once(method):
     rate = 4 * math.sqrt(3) / 9 * MU * GRAVITY / RING
     assert run.t[rests[0]] - run.t[turns[0]] == pytest.approx(spin[turns[0]] / rate, rel=1e-4)
     assert np.max(speed[rests]) + np.max(spin[rests]) < 1e-14
-    booked = sum(run.final[f"rub_{i}.dissipated"] for i in range(3))
+    booked = sum(run.engine.final[f"rub_{i}.dissipated"] for i in range(3))
     assert booked == pytest.approx(DISC / 2 + DISC * RING**2 / 4 * 100, rel=1e-7)
 
 
@@ -113,6 +113,6 @@ def test_a_tippe_top_is_the_limit_of_smooth_friction():
     errors = []
     for layer in (4e-3, 1e-3, 2.5e-4):
         run = simulate(smooth, parameters={"v_s": (layer, "m/s")}, **options)
-        errors.append(max(abs(run.final[name] - limit.final[name]) for name in names))
+        errors.append(max(abs(run.engine.final[name] - limit.engine.final[name]) for name in names))
     assert errors[0] > 3.5 * errors[1] > 3.5**2 * errors[2] > 0  # in proportion to v_s
     assert errors[2] < 3e-5

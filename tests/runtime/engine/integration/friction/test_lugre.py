@@ -70,9 +70,9 @@ def test_at_rest_on_a_slope_the_bristle_holds_the_block(model, method):
         parameters={"slope": angle, "mu_k": MU_S, "s_1": "2000 s/m"},
     )  # fmt: skip
     z = (MASS + CARRIAGE) / MASS * math.tan(angle) / S_0
-    assert -run.final["rub_0.bristle"] == pytest.approx(z, rel=1e-5)
-    assert run.final["along_0.travel"] == pytest.approx(-(MU_S / S_0) * math.log(1 - S_0 * z / MU_S), rel=1e-3)
-    assert abs(run.final["along_0.speed"]) < 1e-8
+    assert -run.engine.final["rub_0.bristle"] == pytest.approx(z, rel=1e-5)
+    assert run.engine.final["along_0.travel"] == pytest.approx(-(MU_S / S_0) * math.log(1 - S_0 * z / MU_S), rel=1e-3)
+    assert abs(run.engine.final["along_0.speed"]) < 1e-8
 
 
 @pytest.mark.parametrize("method", [*METHODS, "cvodes", "idas"])
@@ -101,10 +101,10 @@ def test_very_stiff_bristles_take_few_implicit_steps(model, method):
     assert run.outcome.finished
     assert run.statistics.steps < 2000
     stop = (MASS + CARRIAGE) / (MU_K * WEIGHT)
-    assert run.final["along_0.travel"] == pytest.approx(
+    assert run.engine.final["along_0.travel"] == pytest.approx(
         stop / 2, rel=2e-3
     )  # the Stribeck peak near rest takes a little off
-    assert abs(run.final["along_0.speed"]) < 1e-9
+    assert abs(run.engine.final["along_0.speed"]) < 1e-9
     assert run.energy_residual < 1e-5
 
 

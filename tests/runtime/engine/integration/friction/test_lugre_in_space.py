@@ -104,7 +104,7 @@ def test_held_on_a_slope_by_its_bristle():
     run = simulate(
         built(turns=False), duration="0.3 s", method="esdirk", tolerance=1e-8, parameters={"slope": 0.1}, initial=held
     )
-    assert abs(run.final["x.speed"]) < 1e-8
+    assert abs(run.engine.final["x.speed"]) < 1e-8
 
 
 # ---- driven: sliding that goes on, and what an observer who turns sees -----------------------------------------------
@@ -149,7 +149,7 @@ def driven():
 def test_steady_sliding_is_on_the_stribeck_curve_in_every_direction(speed, way):
     given = {"v_x": (speed * math.cos(way), "m/s"), "v_z": (speed * math.sin(way), "m/s")}
     run = simulate(driven(), duration="0.5 s", method="esdirk", tolerance=1e-8, parameters=given)
-    bent = np.array([run.final["rub.bristle_x"], run.final["rub.bristle_z"]])
+    bent = np.array([run.engine.final["rub.bristle_x"], run.engine.final["rub.bristle_z"]])
     ahead = np.array([math.cos(way), math.sin(way)])
     assert bent == pytest.approx(level(speed) / S_0 * ahead, abs=1e-6 * MU_S / S_0)
     force = np.array([run[f"floor.friction_force_{axis}"][-1] for axis in "xyz"])
@@ -222,7 +222,7 @@ def test_bristles_stay_in_the_tangent_plane_that_tilts():
     assert np.max(np.abs(bent)) > 0.5 * MU_K / S_0
     assert np.max(np.abs(np.sum(bent * normal, axis=0))) < 1e-6 * MU_S / S_0
     for name in ("flight.x", "flight.z", "flight.x_speed", "rub.bristle_y"):
-        assert runs[1].final[name] == pytest.approx(run.final[name], rel=1e-6, abs=1e-12)
+        assert runs[1].final[name] == pytest.approx(run.engine.final[name], rel=1e-6, abs=1e-12)
 
 
 def test_jacobian_against_differences():

@@ -99,7 +99,7 @@ def test_sliding_and_spin_end_together_at_the_published_ratio(start):
     assert np.all((ratio[moving] - end) * (start - end) > 0)
     assert speed[-1] < 1e-6
     assert run.energy_residual < 1e-6
-    assert run.final["rub.dissipated"] == pytest.approx(DISC / 2 * start**2 + DISC / 4, rel=1e-6)
+    assert run.engine.final["rub.dissipated"] == pytest.approx(DISC / 2 * start**2 + DISC / 4, rel=1e-6)
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])

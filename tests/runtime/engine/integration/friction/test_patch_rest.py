@@ -87,7 +87,9 @@ def test_sliding_and_spin_stop_at_once_where_an_integration_of_its_own_ends(meth
     force, moment = shares(slide / (RIM * spin))
     assert -run["rub.friction_force"][1] == pytest.approx(WEIGHT * force, rel=1e-3)
     assert np.abs(run["rub.moment_y"][1]) == pytest.approx(WEIGHT * RIM * moment, rel=1e-3)
-    assert run.final["rub.dissipated"] == pytest.approx(DISC / 2 * slide**2 + DISC / 4 * (RIM * spin) ** 2, rel=1e-8)
+    assert run.engine.final["rub.dissipated"] == pytest.approx(
+        DISC / 2 * slide**2 + DISC / 4 * (RIM * spin) ** 2, rel=1e-8
+    )
     assert run.energy_residual < 1e-8
 
 
@@ -124,7 +126,7 @@ def test_where_it_stops_has_derivatives():
     run = simulate(built(), duration=1.2 * time, method="dop853", tolerance=1e-9, parameters=given)
     derivatives = run.sensitivities("mu", "slide")
     assert derivatives.reason == ""
-    side = math.copysign(1, run.final["floor_plane.x"])
+    side = math.copysign(1, run.engine.final["floor_plane.x"])
     assert side * derivatives["floor_plane.x", "mu"][-1] == pytest.approx(-way / MU, rel=1e-5)
     by_speed = (stop(0.6 + 1e-4, 10.0)[1] - stop(0.6 - 1e-4, 10.0)[1]) / 2e-4
     assert side * derivatives["floor_plane.x", "slide"][-1] == pytest.approx(by_speed, rel=1e-5)

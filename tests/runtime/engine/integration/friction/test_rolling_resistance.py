@@ -57,14 +57,14 @@ def test_a_ball_rolls_to_rest(law, method, coordinates):
     given = {name: f"{value!r} {'m/s' if name[0] == 'v' else 'rad/s'}" for name, value in start.items()}
     rate = ARM * GRAVITY / (RADIUS * 1.4)
     run = simulate(model(law, coordinates), duration="3.2 s", method=method, tolerance=1e-7, parameters=given)
-    left = math.hypot(run.final["flight.angular_speed_x"], run.final["flight.angular_speed_z"])
-    actual = np.array([run.final["flight.x"], run.final["flight.z"]])
+    left = math.hypot(run.engine.final["flight.angular_speed_x"], run.engine.final["flight.angular_speed_z"])
+    actual = np.array([run.engine.final["flight.x"], run.engine.final["flight.z"]])
     expected = RADIUS * (way(speed / RADIUS, rate / RADIUS) - way(left, rate / RADIUS))
     assert left < LAYER / 10  # v/a is 2.9 s
     assert expected == pytest.approx(speed**2 / (2 * rate), rel=1e-4)
     assert actual == pytest.approx(expected * np.array([math.cos(heading), math.sin(heading)]), rel=3e-5)
-    assert run.final["rolling.dissipated"] == pytest.approx(0.7 * MASS * speed**2, rel=1e-4)
-    assert run.final["drilling.dissipated"] == pytest.approx(0, abs=1e-10)
+    assert run.engine.final["rolling.dissipated"] == pytest.approx(0.7 * MASS * speed**2, rel=1e-4)
+    assert run.engine.final["drilling.dissipated"] == pytest.approx(0, abs=1e-10)
     assert run.energy_residual < 1e-6
 
 
@@ -73,7 +73,9 @@ def test_below_the_angle_of_repose_it_creeps(share):
     """tan(slope) < c/r: it is held but for the smoothing, w0 s/sqrt(1 - s^2) with s = r tan(slope)/c."""
     slope = math.atan(share * ARM / RADIUS)
     run = simulate(model("coulomb"), duration="1 s", tolerance=1e-8, parameters={"slope": slope})
-    assert run.final["flight.angular_speed_z"] == pytest.approx(-LAYER * share / math.sqrt(1 - share**2), rel=1e-5)
+    assert run.engine.final["flight.angular_speed_z"] == pytest.approx(
+        -LAYER * share / math.sqrt(1 - share**2), rel=1e-5
+    )
 
 
 def test_above_the_angle_of_repose_it_rolls_off():
@@ -81,7 +83,7 @@ def test_above_the_angle_of_repose_it_rolls_off():
     slope = math.atan(2 * ARM / RADIUS)
     run = simulate(model("coulomb"), duration="1 s", tolerance=1e-8, parameters={"slope": slope})
     rate = GRAVITY * (math.sin(slope) - ARM / RADIUS * math.cos(slope)) / 1.4
-    assert run.final["flight.x_speed"] == pytest.approx(rate, rel=5 * LAYER * RADIUS / rate)
+    assert run.engine.final["flight.x_speed"] == pytest.approx(rate, rel=5 * LAYER * RADIUS / rate)
 
 
 # ---- spin ------------------------------------------------------------------------------------------------------------
@@ -95,11 +97,13 @@ def test_a_ball_spins_to_rest(method):
     run = simulate(
         model("coulomb"), duration="0.5 s", method=method, tolerance=1e-9, parameters={"w_y": f"{spin!r} rad/s"}
     )
-    left = run.final["flight.angular_speed_y"]
+    left = run.engine.final["flight.angular_speed_y"]
     assert left == pytest.approx(spin - rate * 0.5, rel=1e-3, abs=LAYER)
-    assert run.final["drilling.dissipated"] == pytest.approx(0.2 * MASS * RADIUS**2 * (spin**2 - left**2), rel=1e-6)
+    assert run.engine.final["drilling.dissipated"] == pytest.approx(
+        0.2 * MASS * RADIUS**2 * (spin**2 - left**2), rel=1e-6
+    )
     assert run.energy_residual < 1e-8
-    assert math.hypot(run.final["flight.x"], run.final["flight.z"]) < 1e-12
+    assert math.hypot(run.engine.final["flight.x"], run.engine.final["flight.z"]) < 1e-12
 
 
 # ---- a wheel in plane motion -----------------------------------------------------------------------------------------
@@ -120,7 +124,7 @@ def test_a_wheel_under_a_block_slows_down_and_turns_its_guide(coordinates):
     assert final["drag.moment_z"][-1] == pytest.approx(-moment, rel=1e-6)
     assert final["guide.reaction_moment_z"][-1] == pytest.approx(-moment, rel=1e-6)
     assert final["drag.power"][-1] == pytest.approx(moment * left, rel=1e-6)
-    assert run.final["drag.dissipated"] == pytest.approx(1e-3 / 2 * (spin**2 - left**2), rel=1e-6)
+    assert run.engine.final["drag.dissipated"] == pytest.approx(1e-3 / 2 * (spin**2 - left**2), rel=1e-6)
     assert run.energy_residual < 1e-8
 
 

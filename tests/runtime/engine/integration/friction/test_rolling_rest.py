@@ -81,16 +81,16 @@ def test_a_ball_rolls_and_spins_to_rest_and_stays(method, coordinates):
     assert run.t[rests(run, "rolling.turning")] == pytest.approx(speed / SLOWS, rel=1e-8)
     assert run.t[rests(run, "drilling.turning")] == pytest.approx(spin / SPIN_SLOWS, rel=1e-7)
     way = speed**2 / (2 * SLOWS) * np.array([math.cos(heading), math.sin(heading)])
-    assert [run.final["flight.x"], run.final["flight.z"]] == pytest.approx(way, rel=1e-8)
+    assert [run.engine.final["flight.x"], run.engine.final["flight.z"]] == pytest.approx(way, rel=1e-8)
     left = [
-        run.final[f"flight.{name}speed{axis}"]
+        run.engine.final[f"flight.{name}speed{axis}"]
         for name, axis in (("x_", ""), ("z_", ""), *(("angular_", f"_{i}") for i in "xyz"))
     ]
     assert np.max(np.abs(left)) < 1e-14
     assert run["rolling.moment"][1] == pytest.approx(-ARM * MASS * GRAVITY, rel=1e-6)
     assert abs(run["rolling.moment"][-1]) < 1e-12
-    assert run.final["rolling.dissipated"] == pytest.approx(0.7 * MASS * speed**2, rel=1e-7)
-    assert run.final["drilling.dissipated"] == pytest.approx(0.2 * MASS * (RADIUS * spin) ** 2, rel=1e-7)
+    assert run.engine.final["rolling.dissipated"] == pytest.approx(0.7 * MASS * speed**2, rel=1e-7)
+    assert run.engine.final["drilling.dissipated"] == pytest.approx(0.2 * MASS * (RADIUS * spin) ** 2, rel=1e-7)
     assert run.energy_residual < 1e-8
 
 
@@ -103,11 +103,11 @@ def test_the_angle_of_repose(method, share):
     rate = GRAVITY * (math.sin(slope) - ARM / RADIUS * math.cos(slope)) / 1.4
     if share < 1:
         assert np.all(run["rolling.turning"] == 0)
-        assert abs(run.final["flight.x"]) < 1e-15
+        assert abs(run.engine.final["flight.x"]) < 1e-15
         assert -run["rolling.moment"][-1] == pytest.approx(MASS * GRAVITY * RADIUS * math.sin(slope), rel=1e-6)
     else:
         assert np.all(run["rolling.turning"][1:] == 1)
-        assert run.final["flight.x_speed"] == pytest.approx(rate, rel=1e-6)
+        assert run.engine.final["flight.x_speed"] == pytest.approx(rate, rel=1e-6)
     assert np.all(run["floor.slip"] == 0)
 
 
@@ -121,8 +121,8 @@ def test_a_ball_thrown_without_spin_slides_rolls_and_rests(method):
     assert run.t[rests(run, "floor.slip")] == pytest.approx(slides, rel=1e-7)
     assert run.t[rests(run, "rolling.turning")] == pytest.approx(slides + rolls / SLOWS, rel=1e-8)
     way = (speed + rolls) / 2 * slides + rolls**2 / (2 * SLOWS)
-    assert run.final["flight.x"] == pytest.approx(way, rel=1e-8)
-    assert run.final["flight.x_speed"] == pytest.approx(0, abs=1e-14)
+    assert run.engine.final["flight.x"] == pytest.approx(way, rel=1e-8)
+    assert run.engine.final["flight.x_speed"] == pytest.approx(0, abs=1e-14)
 
 
 def test_resistance_beyond_friction_lets_it_slide_without_rolling():
@@ -132,8 +132,8 @@ def test_resistance_beyond_friction_lets_it_slide_without_rolling():
     assert np.all(run["rolling.turning"] == 0)
     slides = run["floor.slip"] != 0
     assert np.abs(run["rolling.moment"][slides]) == pytest.approx(MU * MASS * GRAVITY * RADIUS, rel=1e-6)
-    assert run.final["flight.x"] == pytest.approx(1 / (2 * MU * GRAVITY), rel=1e-8)
-    assert run.final["flight.angular_speed_z"] == pytest.approx(0, abs=1e-14)
+    assert run.engine.final["flight.x"] == pytest.approx(1 / (2 * MU * GRAVITY), rel=1e-8)
+    assert run.engine.final["flight.angular_speed_z"] == pytest.approx(0, abs=1e-14)
 
 
 def test_a_growing_torque_drills_once_it_is_beyond_the_limit():
@@ -144,7 +144,7 @@ def test_a_growing_torque_drills_once_it_is_beyond_the_limit():
     first = np.flatnonzero(run["drilling.turning"])[0]
     assert run.t[first] == pytest.approx(begins, rel=2e-4)
     assert np.all(run["rolling.turning"] == 0)
-    assert run.final["flight.angular_speed_y"] == pytest.approx(rise / 2 / (0.4 * MASS * RADIUS**2), rel=1e-5)
+    assert run.engine.final["flight.angular_speed_y"] == pytest.approx(rise / 2 / (0.4 * MASS * RADIUS**2), rel=1e-5)
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
@@ -194,7 +194,7 @@ def test_where_it_rests_has_derivatives():
     run = simulate(model(), duration="3.2 s", method="dop853", tolerance=1e-9, parameters=shot(0.2, 0, 0.5))
     derivatives = run.sensitivities("arm", "patch", "gravity")
     assert derivatives.reason == ""
-    way = run.final["flight.x"]
+    way = run.engine.final["flight.x"]
     assert derivatives["flight.x", "arm"][-1] == pytest.approx(-way / ARM, rel=1e-7)
     assert derivatives["flight.x", "gravity"][-1] == pytest.approx(-way / GRAVITY, rel=1e-7)
     assert derivatives["flight.x", "patch"][-1] == pytest.approx(0, abs=1e-9)
@@ -211,7 +211,7 @@ def test_a_load_by_the_normal_force_is_one_by_the_weight():
         simulate(scene(hd.BodyTorque("fed", body, (0, lever * force, 0))), duration="50 ms", tolerance=1e-9, parameters={"v_x": (0.1, "m/s")})
         for force in (hd.normal_force_of("floor"), hd.Parameter("weight", "N", MASS * GRAVITY))
     ]  # fmt: skip
-    one, other = (run.final["flight.x_speed"] for run in runs)
+    one, other = (run.engine.final["flight.x_speed"] for run in runs)
     assert one == pytest.approx(other, rel=1e-9)
     assert abs(one - 0.1) > 1e-3  # it is slowed
 

@@ -163,7 +163,7 @@ def test_an_oblique_plane_has_tangents():
     tilt = math.atan(math.hypot(0.1, 0.2))
     assert run.impacts[0].t == pytest.approx(math.sqrt(2 * (0.3 - 0.05 / math.cos(tilt)) / G), rel=1e-9)
     # it leaves within the plane of its fall
-    assert run.final["flight.y"] == pytest.approx(2 * run.final["flight.x"], rel=1e-9)
+    assert run.engine.final["flight.y"] == pytest.approx(2 * run.engine.final["flight.x"], rel=1e-9)
 
 
 @pytest.mark.parametrize(("method", "tolerance"), [("dop853", 1e-12), ("rodas", 1e-11), ("esdirk", 1e-9)])

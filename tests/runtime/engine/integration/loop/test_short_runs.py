@@ -27,7 +27,7 @@ def everything(run, folder):
     shown = run.averages()
     files = run_folder.write(run, folder / "run", plots=True, averages=True).files
     again = Solution.load(folder / "run" / "states.npz")
-    assert again.final == run.final
+    assert again.engine.final == run.engine.final
     assert again.averages() == shown
     assert run.outcome.name in str(run)
     about = json.loads((folder / "run" / "run.json").read_text())
@@ -37,7 +37,7 @@ def everything(run, folder):
 
 
 def test_a_run_without_a_step(stuck, tmp_path):
-    assert (stuck.outcome.name, stuck.t_end, stuck.statistics.steps) == ("not_finite", 0.0, 0)
+    assert (stuck.outcome.name, stuck.engine.t_end, stuck.statistics.steps) == ("not_finite", 0.0, 0)
     for average in everything(stuck, tmp_path):
         assert average.mean is None
         assert average.block == pytest.approx(PERIOD)

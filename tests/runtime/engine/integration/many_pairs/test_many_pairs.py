@@ -239,7 +239,7 @@ def test_an_elastic_row_hands_the_speed_to_its_last_sphere(n, method):
     run = passed_on(n, method, 1.0)
     assert run.outcome.finished
     assert [impact.contact for impact in run.impacts] == [f"pair_{i}" for i in range(n - 1)]
-    assert [run.final[f"path_{i}.speed"] for i in range(n)] == pytest.approx([*(n - 1) * [0], 1], abs=1e-7 * n)
+    assert [run.engine.final[f"path_{i}.speed"] for i in range(n)] == pytest.approx([*(n - 1) * [0], 1], abs=1e-7 * n)
     assert momentum_error(run, n) < 1e-14 * n
     assert run.energy_residual < 2e-7 * n
 
@@ -253,6 +253,6 @@ def test_a_damped_row_follows_the_products_of_two_body_impacts(n, method):
     speeds = [((1 + e) / 2) ** i for i in range(n)]
     expected = [*((1 - e) / 2 * v for v in speeds[:-1]), speeds[-1]]
     assert [impact.speed for impact in run.impacts] == pytest.approx(speeds[:-1], rel=2e-7)
-    assert [run.final[f"path_{i}.speed"] for i in range(n)] == pytest.approx(expected, abs=2e-7)
+    assert [run.engine.final[f"path_{i}.speed"] for i in range(n)] == pytest.approx(expected, abs=2e-7)
     assert momentum_error(run, n) < 1e-14 * n
     assert run.energy_residual < 5e-7

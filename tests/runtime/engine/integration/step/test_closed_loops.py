@@ -23,7 +23,7 @@ def test_a02_at_4_seconds(method):
         engine_model("n_four_bar"), duration=4.0, tolerance=1e-10 if method != "dopri5" else 1e-11, method=method
     )
     assert run.outcome.finished
-    angle = run.final["foot_0.angle"]
+    angle = run.engine.final["foot_0.angle"]
     limit = 1e-8 if method in ("dop853", "dopri5", "auto") else 1e-7
     assert (-np.sin(angle), np.cos(angle)) == pytest.approx((0.1176161024, 0.9930591385), abs=limit)
     assert open_by(run) < 1e-13
@@ -53,7 +53,9 @@ def test_a_quick_return_turns_as_its_one_freedom_equation_says():
         k = (r**2 + r * c * np.cos(phi)) / (r**2 + c**2 + 2 * r * c * np.cos(phi))
         return 4e-3 + 0.8 * r**2 + 3.1e-2 * k**2
 
-    needed, _ = quad(lambda phi: np.sqrt(inertia(phi) / inertia(0)) / 12.0, 0, run.final["main.angle"], epsabs=1e-12)
+    needed, _ = quad(
+        lambda phi: np.sqrt(inertia(phi) / inertia(0)) / 12.0, 0, run.engine.final["main.angle"], epsabs=1e-12
+    )
     assert needed == pytest.approx(0.6, rel=1e-8)
 
 

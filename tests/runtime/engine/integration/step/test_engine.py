@@ -55,7 +55,7 @@ def test_elastic_impact_of_two_bodies(ball, method):
     assert impact.peak_penetration == pytest.approx(exact.depth, rel=1e-9)
     assert impact.peak_force == pytest.approx(exact.peak_force, rel=1e-9)
     assert impact.duration == pytest.approx(exact.duration, rel=1e-9)
-    assert run.final["vertical.speed"] == pytest.approx(DROP, rel=1e-9)
+    assert run.engine.final["vertical.speed"] == pytest.approx(DROP, rel=1e-9)
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -67,8 +67,8 @@ def test_damped_impact_of_two_bodies(ball, method, e):
     (impact,) = run.impacts
     assert impact.peak_penetration == pytest.approx(exact.depth, rel=1e-9)
     assert impact.peak_force == pytest.approx(exact.peak_force, rel=1e-9)
-    assert run.final["vertical.speed"] / DROP == pytest.approx(exact.restitution, rel=1e-9)
-    assert run.final["floor.dissipated"] == pytest.approx(exact.dissipated, rel=1e-9)
+    assert run.engine.final["vertical.speed"] / DROP == pytest.approx(exact.restitution, rel=1e-9)
+    assert run.engine.final["floor.dissipated"] == pytest.approx(exact.dissipated, rel=1e-9)
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -111,7 +111,7 @@ def test_work_at_a_given_error_of_the_slider_crank(crank):
     logarithms, evaluations = [], []
     for tolerance in np.logspace(-6, -9, 13):
         run = simulate(crank, duration="10 ms", tolerance=tolerance)
-        angle, travel, spin, speed = (run.final[name] for name in (*crank.coordinates, *crank.speeds))
+        angle, travel, spin, speed = (run.engine.final[name] for name in (*crank.coordinates, *crank.speeds))
         w = SliderCrank().w
         logarithms.append(math.log10(truth.error(0.010, (angle + 0.010 * w, travel, spin + w, speed))))
         evaluations.append(run.statistics.rhs_evaluations)
@@ -187,7 +187,7 @@ def elastic(**options):
 
 def test_start_in_deep_penetration_at_rest():
     run = simulate(elastic(), duration=0.05, tolerance=1e-10, initial={"path.travel": "-0.01 m"})
-    assert run.final["path.speed"] == pytest.approx(1.0, rel=1e-8)  # w d = 100 * 0.01
+    assert run.engine.final["path.speed"] == pytest.approx(1.0, rel=1e-8)  # w d = 100 * 0.01
     assert run.impacts[0].duration == pytest.approx(math.pi / 200, rel=1e-8)
     assert run.energy_residual < 1e-9
     assert any("approach_floor" in warning for warning in run.warnings)
@@ -196,13 +196,13 @@ def test_start_in_deep_penetration_at_rest():
 def test_start_on_the_surface_leaving_it():
     run = simulate(elastic(), duration=1.0, initial={"path.travel": "0 m", "path.speed": "1 m/s"}, tolerance=1e-6)
     assert run.impacts == ()
-    assert run.final["path.travel"] == pytest.approx(1.0, rel=1e-12)
+    assert run.engine.final["path.travel"] == pytest.approx(1.0, rel=1e-12)
 
 
 def test_start_where_the_law_would_pull_is_released():
     damped = point(lambda d, v, v0: 1e4 * d * (1 + v / v0), scales=(1e-2, 1.0, 100.0, 1.0))
     run = simulate(damped, duration=0.05, initial={"path.travel": "-0.01 m", "path.speed": "1 m/s"}, tolerance=1e-6)
-    assert run.final["path.travel"] == pytest.approx(0.04, rel=1e-12)  # no force at all
+    assert run.engine.final["path.travel"] == pytest.approx(0.04, rel=1e-12)  # no force at all
     assert run["surface.mode"][0] == 2
 
 
@@ -226,7 +226,7 @@ def test_a_push_on_a_body_at_rest_is_not_stepped_over():
     )
     run = simulate(model, duration=10.0, tolerance=1e-8, initial={"path.travel": "-1 m"})
     assert np.max(np.abs(run["path.travel"][run.t < 5] + 1)) < 1e-12
-    x, v = run.final["path.travel"] + 1, run.final["path.speed"]
+    x, v = run.engine.final["path.travel"] + 1, run.engine.final["path.speed"]
     amplitude = math.hypot(x, v / math.sqrt(k))
     assert amplitude == pytest.approx(2 * push / k * abs(math.sin(math.sqrt(k) * 0.6)), rel=1e-5)
 
@@ -315,7 +315,7 @@ def test_outcome_outside_law_range():
 def test_outcome_not_finite():
     model = falling(lambda d, v, v0: ca.sqrt(0.01 - d) * 1e3)
     run = stopped(simulate(model, duration=1.0, tolerance=1e-6), "not_finite")
-    assert -0.01 <= run.final["path.travel"] < -0.0099
+    assert -0.01 <= run.engine.final["path.travel"] < -0.0099
 
 
 def test_outcome_not_finite_from_the_start():
@@ -483,15 +483,15 @@ def test_one_line_says_how_it_went(ball):
 
 def test_csv(ball, tmp_path):
     run = simulate(ball, duration="1 s", tolerance=1e-6)
-    path = run.to_csv(tmp_path / "run.csv")
+    path = run.to_file(tmp_path / "run.csv")
     head = path.read_text().splitlines()[0].split(",")
     assert head[:3] == ["t [s]", "vertical.travel [m]", "vertical.speed [m/s]"]
     table = np.loadtxt(path, delimiter=",", skiprows=1)
     assert np.array_equal(table[:, 0], run.t)
     assert np.array_equal(table[:, 1], run["vertical.travel"])
-    with pytest.raises(FileExistsError, match="overwrite=True"):
-        run.to_csv(path)
-    run.to_csv(path, overwrite=True)
+    with pytest.raises(InputError, match="overwrite"):
+        run.to_file(path)
+    run.to_file(path, overwrite=True)
     assert [file.name for file in tmp_path.iterdir()] == ["run.csv"]
 
 
@@ -501,8 +501,9 @@ def test_npz_there_and_back(crank, tmp_path):
     again = Solution.load(path)
     assert list(again) == list(run)
     assert all(np.array_equal(again[name], run[name]) for name in ("t", *run))
-    for name in ("outcome", "statistics", "impacts", "energy_residual", "warnings", "parameters", "final", "settings"):
+    for name in ("outcome", "statistics", "impacts", "energy_residual", "warnings", "settings"):
         assert getattr(again, name) == getattr(run, name), name
+    assert again.engine.final == run.engine.final
     assert again.engine.model.module.PARAMETERS == crank.module.PARAMETERS
     with pytest.raises(ValueError, match="simulate again"):
         again.at([0.0])

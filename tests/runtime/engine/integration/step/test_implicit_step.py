@@ -238,8 +238,8 @@ def settled(run, most):
     assert run.outcome.finished
     assert run.statistics.steps < most
     assert run.energy_residual < 1e-3  # of the energy that settling moves, which is little
-    assert 0.1 - run.final["vertical.travel"] == pytest.approx(STATIC, rel=1e-8)
-    assert abs(run.final["vertical.speed"]) < 1e-10
+    assert 0.1 - run.engine.final["vertical.travel"] == pytest.approx(STATIC, rel=1e-8)
+    assert abs(run.engine.final["vertical.speed"]) < 1e-10
     return run
 
 
@@ -306,8 +306,8 @@ def test_a_block_sticks_in_a_layer_of_1e7(method, part):
         method=method,
         initial={"along.speed": "1 m/s"},
     )
-    assert run.final["along.speed"] == pytest.approx(1e-7 * math.atanh(part), rel=1e-6)
-    assert run.final["along.travel"] == pytest.approx(1 / (2 * braking) + 1e-7 * math.atanh(part), rel=1e-5)
+    assert run.engine.final["along.speed"] == pytest.approx(1e-7 * math.atanh(part), rel=1e-6)
+    assert run.engine.final["along.travel"] == pytest.approx(1 / (2 * braking) + 1e-7 * math.atanh(part), rel=1e-5)
     assert run.statistics.steps < 200
 
 
@@ -333,7 +333,7 @@ def test_steps_made_of_calls_are_those_written_out(made, method, monkeypatch):
     assert called.statistics.steps == pytest.approx(written.statistics.steps, abs=2)
     joint = "vertical" if made is pushed_ball else "guide"
     for name in (f"{joint}.travel", f"{joint}.speed"):
-        assert called.final[name] == pytest.approx(written.final[name], rel=1e-7)
+        assert called.engine.final[name] == pytest.approx(written.engine.final[name], rel=1e-7)
 
 
 @pytest.fixture(scope="module")

@@ -114,7 +114,7 @@ def top(history):
 def test_rows_are_those_of_one_machine_to_the_bit(client, compiled, tmp_path):
     """Functions come with what they use of their module, which no worker can import."""
     scale = 3.0
-    functions = {"highest": highest, "scaled": lambda run: scale * run.t_end}
+    functions = {"highest": highest, "scaled": lambda run: scale * run.engine.t_end}
     options = {"section": "floor.gap = 0 m falling", "histories": ["vertical.speed"]}
     alone, together = (
         sweep("bouncing_ball", **ASKED, **options, functions=functions, compiled=compiled, out=tmp_path / name, **who)
@@ -213,10 +213,10 @@ def test_a_worker_killed_in_a_row_costs_that_row_alone(tmp_path):
     text = str(tmp_path / "told")
 
     def waits(run):
-        if abs(run.initial["vertical.travel"] - 0.5) < 1e-9 and not os.path.lexists(text):
+        if abs(run.engine.initial["vertical.travel"] - 0.5) < 1e-9 and not os.path.lexists(text):
             Path(text).symlink_to(str(os.getpid()))
             time.sleep(600)
-        return run.t_end
+        return run.engine.t_end
 
     def kill():
         until(lambda: os.path.lexists(text))
@@ -238,9 +238,9 @@ def test_a_worker_killed_in_a_row_costs_that_row_alone(tmp_path):
 @pytest.mark.exhaustive
 def test_a_row_that_kills_its_workers_is_lost_alone(tmp_path):
     def dies(run):
-        if abs(run.initial["vertical.travel"] - 0.5) < 1e-9:
+        if abs(run.engine.initial["vertical.travel"] - 0.5) < 1e-9:
             os._exit(3)
-        return run.t_end
+        return run.engine.t_end
 
     options = {**ASKED, "over": {"drop_height": "0.3..0.5 m:21"}, "functions": {"dies": dies}, "compiled": False}
     with running(tmp_path, 3, DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES="0") as (_, client):
@@ -297,7 +297,7 @@ def test_a_scheduler_that_dies_ends_it_and_the_rest_is_computed_elsewhere(tmp_pa
 
     def slowly(run):
         time.sleep(0.1)
-        return run.t_end
+        return run.engine.t_end
 
     options = {**ASKED, "functions": {"end": slowly}, "compiled": False, "out": tmp_path / "rows"}
     with running(tmp_path, 1) as (made, client):

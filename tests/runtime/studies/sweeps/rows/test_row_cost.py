@@ -77,8 +77,8 @@ def test_findings_of_the_loop_are_bitwise_those_of_a_run_with_steps(model):
     run = simulate(model, duration="24 ms", tolerance=1e-6, parameters=given, compiled=False)
     assert list(row.outputs.values()) == [
         run.energy_residual,
-        run.final["guide.travel"],
-        run.final["slider_pin_friction.dissipated"],
+        run.engine.final["guide.travel"],
+        run.engine.final["slider_pin_friction.dissipated"],
     ]
     of_steps = [
         text for text in run.warnings if "exceeded the range of its damping law" in text

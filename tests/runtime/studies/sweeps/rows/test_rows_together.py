@@ -31,7 +31,7 @@ def job():
     model = engine_model("slider_crank")
 
     def only_small(run):
-        if run.parameters["clearance"][0] > 0.48:
+        if run.settings.parameters["clearance"][0] > 0.48:
             raise ArithmeticError("large")
         return run.impacts[0].t
 
