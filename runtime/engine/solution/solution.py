@@ -60,7 +60,7 @@ class Statistics:
 
 @dataclass(frozen=True)
 class RunSettings:
-    """Settings of a run: duration requested [s], accuracy or tolerance, method, whether compiled, parameters.
+    """Settings of a run: duration requested [s], accuracy or tolerance, method, parameters.
 
     accuracy: requested of the whole run, None for a run at a tolerance; tolerance: local, of this run
     parameters: value and unit of every parameter by name.
@@ -332,7 +332,7 @@ class EngineSolution(Histories):
 
 
 def csv_of(run: EngineSolution, rows: slice = slice(None)) -> bytes:
-    """Return every history as CSV: a column for each, headed `name [unit]`, rows at `run.t` or some of them, SI."""
+    """Return every history as CSV, in SI: columns headed `name [unit]`, all rows or some."""
     table = np.column_stack([run.t[rows], *(run[name][rows] for name in run)])
     text = io.StringIO()
     text.write(",".join(f"{name} [{run.units[name]}]" for name in ("t", *run)) + "\n")
