@@ -619,7 +619,6 @@ static int simulate(Body *B, real *y) {
             /* the direction relaxes quickly and |s| does not fall: a step that need not resolve it */
             if (along_s < 0 && rate > REST) cut = least(cut, 0.7 * rate / -along_s), last = 0; /* so that no step passes over rest */
             stiff = N > 0 && size(a) * cut > 2 * rate && !(along_s < 0 && rate < -10 * along_s * cut);
-            if (rate < 100 * REST && along_s > 0 && along_s * 1e3 > size(a)) stiff = 0; /* grows like t, not t^2 */
         }
         int column = advance(B, y, cut, stiff, out);
         if (!column) {
