@@ -98,10 +98,12 @@ class Grid:
     """Observer that keeps the states at given increasing times [s], by dense output.
 
     At a time of an event the state just after it; without times the ends of the run alone.
+
+    compared    keep only what a comparison of runs reads, see `History.between`
     """
 
-    def __init__(self, times: np.ndarray) -> None:
-        self._times, self._count = times, 0
+    def __init__(self, times: np.ndarray, *, compared: bool = False) -> None:
+        self._times, self._count, self._compared = times, 0, compared
         self._rows: list[np.ndarray] = []
         self._first: np.ndarray
         self._last: History  # of one row
@@ -113,7 +115,7 @@ class Grid:
         self._last = block.of(block.rows[-1:].copy())
         stop = int(np.searchsorted(self._times, block.t[-1]))  # the last row has to wait: an event may change it yet
         if stop > self._count:
-            self._rows.append(np.asarray(block.at(self._times[self._count : stop]).rows))
+            self._rows.append(np.asarray(block.at(self._times[self._count : stop], compared=self._compared).rows))
             self._count = stop
 
     @cached_property
@@ -152,9 +154,11 @@ class Sampled:
         between = begin + (np.arange(count) + (3 - 5**0.5) / 2) / count * (
             end - begin
         )  # no event of a period meets them
-        self._grid = Grid(np.concatenate([[begin], between, [end]]))
+        self._grid = Grid(np.concatenate([[begin], between, [end]]), compared=True)
         self._steps = self._turns = 0
-        self._even, self._turned, self._bent = _Within(self.EVEN), _Within(self.EVEN), _Within(self.BENT)
+        self._even, self._turned, self._bent = (
+            _Within(most, parts) for most, parts in ((self.EVEN, 1), (self.EVEN, 1), (self.BENT, len(self.THROUGHOUT)))
+        )
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
@@ -173,10 +177,19 @@ class Sampled:
         (tolerance,), (length, speed) = controls[layout["tolerance"]], controls[layout["scales"]][:2]
         short = self.SHORT * tolerance * length / speed if block.model.ne else 0.0
         begins = first + np.flatnonzero(np.diff(block.t[first:]) > short)
-        self._even.take(block, begins, _evenly(self._steps, len(begins)), np.array([[self.LATE]]))
-        self._bent.take(block, begins, _bends(block, begins), np.array([self.THROUGHOUT]))
         turned, zeros = _turns(block, begins, speed / length)
-        self._turned.take(block, begins[turned], _evenly(self._turns, len(zeros)), zeros)
+        chosen = [
+            self._even.choose(begins, _evenly(self._steps, len(begins)), np.array([[self.LATE]])),
+            self._turned.choose(begins[turned], _evenly(self._turns, len(zeros)), zeros),
+            self._bent.choose(begins, _bends(block, begins), np.array([self.THROUGHOUT])),
+        ]
+        index = np.concatenate([np.repeat(steps, parts.shape[1]) for steps, parts in chosen])
+        h = np.concatenate([parts.ravel() for _, parts in chosen]) * (block.t[index + 1] - block.t[index])
+        _, first_of, place = np.unique(block.t[index] + h, return_index=True, return_inverse=True)
+        rows = block.between(index[first_of], h[first_of], compared=True).rows[place]
+        bounds = np.cumsum([parts.size for _, parts in chosen])[:-1]
+        for within, own in zip((self._even, self._turned, self._bent), np.split(rows, bounds), strict=True):
+            within.keep(own)
         self._steps, self._turns = self._steps + len(begins), self._turns + len(zeros)
 
     @cached_property
@@ -197,22 +210,26 @@ class Sampled:
 class _Within:
     """States at parts of those steps of a run whose scores are largest."""
 
-    def __init__(self, most: int) -> None:
-        self._most, self._scores = most, np.zeros(0)
+    def __init__(self, most: int, parts: int) -> None:
+        self._most, self._parts = most, parts
+        self._scores, self._stay = np.zeros(0), np.zeros(0, dtype=bool)  # of steps known before, whether they stay
         self.rows: list[np.ndarray] = []  # (steps, parts, ns), in one piece
 
-    def take(self, block: History, begins: np.ndarray, scores: np.ndarray, parts: np.ndarray) -> None:
-        """Take the steps that begin at rows (n,), with scores (n,); drop those no longer among the largest.
+    def choose(self, begins: np.ndarray, scores: np.ndarray, parts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return those of some steps whose scores are among the largest, and their parts.
 
+        begins, scores    rows that the steps begin at, and their scores (n,)
         parts    of the steps at which the states are kept, (n or 1, parts)
         """
         known, scores = len(self._scores), np.append(self._scores, scores)
         stay = (scores >= np.sort(scores)[-self._most :][:1]) & (scores > 0)
-        self._scores, (before, fresh) = scores[stay], np.split(stay, [known])
-        begins, parts = begins[fresh], np.broadcast_to(parts, (len(fresh), parts.shape[1]))[fresh]
-        h = block.t[begins + 1] - block.t[begins]
-        rows = np.stack([block.between(begins, part * h).rows for part in parts.T], axis=1)
-        self.rows = [np.concatenate([*(piece[before] for piece in self.rows), rows])]
+        self._scores, (self._stay, fresh) = scores[stay], np.split(stay, [known])
+        return begins[fresh], np.broadcast_to(parts, (len(fresh), parts.shape[1]))[fresh]
+
+    def keep(self, rows: np.ndarray) -> None:
+        """Keep the states (steps * parts, ns) of the steps just chosen, and of those before that stay."""
+        before = (piece[self._stay] for piece in self.rows)
+        self.rows = [np.concatenate([*before, rows.reshape(-1, self._parts, rows.shape[1])])]
 
 
 def _evenly(before: int, count: int) -> np.ndarray:

@@ -12,6 +12,7 @@ from hertzwerk.runtime.engine.run.single_run import Trace
 from hertzwerk.runtime.engine.solution import error_scales as scaling
 from hertzwerk.runtime.engine.solution.error_scales import Scales
 from hertzwerk.runtime.engine.solution.impacts import Impact
+from hertzwerk.runtime.engine.solution.step_observers import Findings
 
 
 def compared_histories(model: EngineModel) -> tuple[str, ...]:
@@ -41,6 +42,7 @@ def differences(model: EngineModel, scales: Scales, one: Trace, other: Trace, n:
     until = float(rows.t[-1])
     lists: list[tuple[Impact, ...]] = []
     with suppress(Exception):  # whatever it is, the run reports that its impacts could not be found
+        Findings.find_impacts([trace.findings for trace in (one, other)])
         lists += [trace.findings.impacts for trace in (one, other)]
     for j, pair in enumerate(model.pairs if len(lists) == 2 else ()):
         of_one, of_other = (

@@ -120,7 +120,9 @@ class SingleRun:
             needs |= Needs.IMPACTS
         if times is not None and Needs.STEPS in needs:
             needs = EVERYTHING
-        record = Steps() if times is None and Needs.STEPS in needs else Grid(np.zeros(0) if times is None else times)
+        record: Steps | Grid = Steps()
+        if times is not None or Needs.STEPS not in needs:
+            record = Grid(np.zeros(0) if times is None else times, compared=checks is not None)
         findings = Findings(
             self.model,
             self.method,

@@ -86,10 +86,12 @@ def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> tuple[np.ndar
     """
     sizes = np.abs(rates)
     distances = np.max(np.abs(apart) * pace / (sizes + pace), axis=-1, initial=0.0)
-    for i in range(apart.shape[-1]):
-        e, f, size = (part[..., i : i + 1] for part in (apart, rates, sizes))
-        both = np.maximum(size + sizes, np.finfo(float).tiny)
-        distances = np.maximum(distances, np.max(np.abs(e * rates - apart * f) / both, axis=-1, initial=0.0))
+    for i in range(apart.shape[-1] - 1):
+        (e, others), (f, rates_there), (size, sizes_there) = (
+            (part[..., i : i + 1], part[..., i + 1 :]) for part in (apart, rates, sizes)
+        )
+        both = np.maximum(size + sizes_there, np.finfo(float).tiny)
+        distances = np.maximum(distances, np.max(np.abs(e * rates_there - others * f) / both, axis=-1, initial=0.0))
     with np.errstate(divide="ignore", invalid="ignore"):
         centres, radii = (
             np.where(sizes > 0, apart / rates, 0.0),

@@ -14,6 +14,7 @@ from hertzwerk.runtime.engine.integration.loop.near_list import Departures
 from hertzwerk.runtime.engine.integration.loop.near_rows import NearRows, places
 from hertzwerk.runtime.engine.integration.loop.reduced_rows import Rows
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import APART, NearModel
+from hertzwerk.runtime.engine.integration.step.contact_classes import contact_classes, contacts_at
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, ENERGY_PARTS, FLIGHT
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips_of, groups_of, turns
@@ -28,6 +29,7 @@ _HELD_BY = {  # ending of a constraint's name -> that of the force which holds i
     **{"apart": "force", "off": "force", "turned": "moment", "gap": "normal_force"},
     **{"sliding_velocity": "friction_force", "side_velocity": "side_force", "rate": "force"},
 }
+COMPARED = "t", "y", "dy", "force", "force_rate"  # parts of the rows by which two runs are compared
 _PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal_force": "N"}
 
 
@@ -326,8 +328,11 @@ class History(Histories):
         forces: list[np.ndarray] = _constraint_forces(self.model)(self.controls[: self.model.nc], *parts, *self.pieces)
         return forces
 
-    def at(self, times: np.ndarray) -> History:
-        """Return histories at other times [s] within the run; at an event, the state just after it."""
+    def at(self, times: np.ndarray, *, compared: bool = False) -> History:
+        """Return histories at other times [s] within the run; at an event, the state just after it.
+
+        compared    see `between`
+        """
         t = self.part("t")[:, 0]
         if not self.steps:
             return self._rows_at(times)
@@ -336,7 +341,7 @@ class History(Histories):
                 f"found times outside the run, or not in one row; expected them within {t[0]:g}..{t[-1]:g} s"
             )
         index = np.searchsorted(t, times, side="right") - 1
-        history = self.between(index, times - t[index])
+        history = self.between(index, times - t[index], compared=compared)
         history.part("t")[:, 0] = times  # not t + (time - t), which may differ in the last digit
         return history
 
@@ -350,35 +355,41 @@ class History(Histories):
             )
         return self.of(self.rows[index])
 
-    def between(self, index: np.ndarray, h: np.ndarray) -> History:
+    def between(self, index: np.ndarray, h: np.ndarray, *, compared: bool = False) -> History:
         """Return histories a time h (n,) [s] after the rows `index` (n,), under those rows' modes.
 
         With h = 0 the rows themselves. Behind a singular position that a step passes over, they are found from its end:
         a step from its start would evaluate there.
+
+        compared    compute only the parts COMPARED; others are those of the rows
         """
-        rows = self.later(self.rows[index], h)
+        rows = self.later(self.rows[index], h, compared=compared)
         if self.model.nl:
             behind = np.flatnonzero(h > self.rows[index][:, self.columns("ahead")][:, 0])
             after = self.rows[index[behind] + 1]
             for part in ("mode", "m", "method"):  # that were those of the step, and may have changed at its end
                 after[:, self.columns(part)] = rows[behind][:, self.columns(part)]
             to, _ = _in_trial(self.model, self.engine)
-            rows[behind[:, None], to] = self.later(
-                after, self.t[index[behind]] + h[behind] - self.t[index[behind] + 1]
-            )[:, to]
+            back = self.t[index[behind]] + h[behind] - self.t[index[behind] + 1]
+            rows[behind[:, None], to] = self.later(after, back, compared=compared)[:, to]
         return self.of(rows)
 
-    def later(self, rows: np.ndarray, h: np.ndarray) -> np.ndarray:
+    def later(self, rows: np.ndarray, h: np.ndarray, *, compared: bool = False) -> np.ndarray:
         """Return rows (n, ns) a time h (n,) [s] after others, by a step of length h from each.
 
-        Of the method's order, under that row's modes.
+        Of the method's order, under that row's modes. compared: see `between`.
         """
         later: np.ndarray = rows.copy()
         moving = np.flatnonzero(h)
         if not len(moving):
             return later
-        to, of = _in_trial(self.model, self.engine)
-        later[moving[:, None], to] = self.by_method(part_of_step, rows[moving], h[moving, None])[:, of]
+        if compared:
+            to = np.concatenate([np.arange(self.engine.layouts.state.size)[self.columns(part)] for part in COMPARED])
+            values = self.by_method(compared_part_of_step, rows[moving], h[moving, None], by_contacts=True)
+        else:
+            to, of = _in_trial(self.model, self.engine)
+            values = self.by_method(part_of_step, rows[moving], h[moving, None])[:, of]
+        later[moving[:, None], to] = values
         return later
 
     def by_method(
@@ -387,13 +398,18 @@ class History(Histories):
         rows: np.ndarray,
         *tables: np.ndarray,
         controls: np.ndarray | None = None,
+        by_contacts: bool = False,
     ) -> np.ndarray:
         """Return results (n, size) of a function of rows (n, ns), each by that row's method.
 
         function    returns (controls, state, *tables) -> result for a method
         controls    of each row (n, size), for rows of several runs; else those of this one
+        by_contacts    whether numbers of methods count classes of contacts as well, see `compared_part_of_step`
         """
         methods = rows[:, self.columns("method")][:, 0]
+        if by_contacts:
+            contacts = contacts_at(self.engine.model, rows[:, self.columns("mode")])
+            methods = methods * len(contact_classes(self.engine.model)) + contacts
         if (methods == methods[:1]).all():
             constants = self.controls if controls is None else controls
             return function(self.model, self.engine, int(methods[0]))(constants, rows, *tables)[0]
@@ -493,6 +509,17 @@ def _output_rates(model: EngineModel) -> Rowwise:
 def part_of_step(_: EngineModel, integrator: Integrator, method: int) -> Rowwise:
     """Return the function (state, controls, h) -> trial of a step of a method."""
     return Rowwise(integrator.step(method), constant=1)
+
+
+@per_model
+def compared_part_of_step(_: EngineModel, integrator: Integrator, number: int) -> Rowwise:
+    """Return the function (state, controls, h) -> parts COMPARED of a step.
+
+    The number counts the classes of contacts of one method after another.
+    """
+    classes = contact_classes(integrator.model)
+    method, contacts = divmod(number, len(classes))
+    return Rowwise(integrator.step(method, classes[contacts], COMPARED), constant=1)
 
 
 @per_model

@@ -126,7 +126,7 @@ class Findings:
         self._later = Needs.STEPS in needs
         self._needs = EVERYTHING if self._later else needs
         self._steps: list[History] = []
-        self._watch = Watch(model) if model.k and Needs.IMPACTS in self._needs else None
+        self._watch = Watch(model) if model.k and Needs.IMPACTS in self._needs and not self._later else None
         self._choices = Choices() if method == "auto" and Needs.CHOICES in self._needs else None
         self._lasting = LastingContacts(model) if self._needs and model.latches else None
         self._summing = self._new_sums(None) if Needs.SUMS in needs and not self._later else None
@@ -159,11 +159,11 @@ class Findings:
 
     @staticmethod
     def find_impacts(runs: Sequence[Findings]) -> None:
-        """Find the impacts of runs that were followed for them, of all at once: of short ones each costs less."""
+        """Find the impacts of runs, of all at once: of short ones each costs less."""
         alike: dict[int, list[tuple[Findings, Watch]]] = {}
         for run in runs:
-            watch = run._watch
-            if watch is not None and watch.waiting and not run._later:
+            watch = None if "impacts" in vars(run) else run._watched()
+            if watch is not None and (run._steps or watch.waiting):
                 alike.setdefault(id(watch.view.engine), []).append((run, watch))
         for some in alike.values():
             for (run, _), impacts in zip(some, impacts_of([watch for _, watch in some]), strict=True):
@@ -183,7 +183,12 @@ class Findings:
     def impacts(self) -> tuple[Impact, ...]:
         """Every contact in the order of its onset."""
         self._needed(Needs.IMPACTS)
-        return () if self._watch is None else self._observed(self._watch).impacts()
+        watch = self._watched()
+        return () if watch is None else watch.impacts()
+
+    def _watched(self) -> Watch | None:
+        """Return the observer of impacts, which has seen all steps; None of a model without pairs."""
+        return self._observed(Watch(self._model)) if self._later and self._model.k else self._watch
 
     @cached_property
     def lasting(self) -> tuple[Lasting, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any
@@ -16,7 +16,7 @@ from hertzwerk.runtime.engine.integration.loop.near_list import keeps_to_list
 from hertzwerk.runtime.engine.integration.loop.plain_attempt import advance, lean, no_event_of_any_pair
 from hertzwerk.runtime.engine.integration.loop.turning_slip import implicit_near_rest, passes_by_implicit_steps
 from hertzwerk.runtime.engine.integration.many_pairs.watched_model import WatchedModel
-from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE, contact_classes
+from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE, Contacts, contact_classes
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.layout import REJECTED, RUNNING, Layouts, layouts
 from hertzwerk.runtime.engine.integration.step.singular_positions import explicit_near
@@ -46,21 +46,23 @@ class Integrator:
     tables: tuple[Table, ...]
     requested: tuple[Table, ...] = ()
     with_choice: Callable[[], Integrator] | None = None
-    _steps: dict[int, Any] = field(default_factory=dict)
+    _steps: dict[Hashable, Any] = field(default_factory=dict)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle and copy what it was made of; it is built anew."""
         return integrator, (self.model, self.requested)
 
-    def step(self, method: int = 0) -> Any:
-        """Return (state, controls, h) -> trial, by the table of a method; built on first use."""
-        if method not in self._steps:
+    def step(self, method: int = 0, contacts: Contacts = BY_MODE, parts: tuple[str, ...] | None = None) -> Any:
+        """Return (state, controls, h) -> trial, or parts of it, by a method's table; built on first use."""
+        known = method, contacts, parts
+        if known not in self._steps:
             h = self.layouts.kind.sym("h")
             arguments, (start, run) = self.layouts.symbols("state controls")
-            trial = self.layouts.trial.join(stepper(self.model, self.tables[method], BY_MODE)(start, run, h))
+            trial = stepper(self.model, self.tables[method], contacts)(start, run, h)
+            result = self.layouts.trial.join(trial) if parts is None else ca.vertcat(*(trial[part] for part in parts))
             names = ["state", "controls", "h"]
-            self._steps[method] = lean("step", [*arguments, h], [trial], names, ["trial"])
-        return self._steps[method]
+            self._steps[known] = lean("step", [*arguments, h], [ca.densify(result)], names, ["trial"])
+        return self._steps[known]
 
 
 def integrator(model: EngineModel, tables: tuple[Table, ...]) -> Integrator:

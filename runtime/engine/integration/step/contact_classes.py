@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 import casadi as ca
+import numpy as np
 
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, FLIGHT, RELEASED
 from hertzwerk.runtime.engine.model.per_model import per_model
@@ -59,6 +60,16 @@ def class_of(model: EngineModel, mode: Any) -> Any:
         single = (ca.sum1(touching) == 1) * ca.mmin(mode != RELEASED)
         in_contact = IN_CONTACT + ca.if_else(single, ca.dot(touching, ca.DM(range(model.k))), model.k)
     return ca.if_else(ca.mmax(touching), in_contact, IN_FLIGHT)
+
+
+def contacts_at(model: EngineModel, mode: np.ndarray) -> np.ndarray:
+    """Return the places (n,) in `contact_classes` of the contacts under modes (n, k)."""
+    touching = mode == CONTACT
+    places = np.where(touching.any(axis=1), len(contact_classes(model)) - 1, 0)
+    if model.k and _have_classes(model):
+        single = (touching.sum(axis=1) == 1) & (mode != RELEASED).all(axis=1)
+        places[single] = 1 + touching[single].argmax(axis=1)
+    return places
 
 
 def modes(model: EngineModel, contacts: tuple[int, ...]) -> Any:

@@ -132,7 +132,8 @@ class Job:
         made = in_stages([self._running(task) for task in tasks])
         runs = [run[0].engine.findings for run in made if not isinstance(run, Row)]
         try:
-            Findings.find_impacts(runs)
+            if Needs.STEPS not in self.needs:  # where each run is kept, what is read of it is found then
+                Findings.find_impacts(runs)
         except Exception:  # of any of them: each alone says so
             if len(runs) > 1:
                 return [row for task in tasks for row in self.do(task)]

@@ -16,6 +16,7 @@ from hertzwerk.runtime.engine.run.run_difference import impact_differences
 from hertzwerk.runtime.engine.run.run_request import Request, read_accuracy
 from hertzwerk.runtime.engine.solution.error_scales import Scales as SolutionScales
 from hertzwerk.runtime.engine.solution.error_scales import distance, error
+from hertzwerk.runtime.engine.solution.history import COMPARED
 from hertzwerk.runtime.engine.solution.impacts import Impact
 from hertzwerk.runtime.loading import engine_model
 
@@ -200,6 +201,17 @@ def test_a_step_over_a_turn_is_compared_as_often_as_its_dense_output_may_bend():
     assert run.outcome.finished
     assert true <= asked
     assert true <= 3 * run.error.worst
+
+
+@pytest.mark.parametrize("method", ["auto", "esdirk"])
+def test_runs_are_compared_by_the_states_that_they_have_at_any_time(method):
+    """To the bit, though of each class of contacts only these parts are computed."""
+    run = simulate(engine_model("newtons_cradle"), duration="0.9 s", tolerance=1e-5, method=method, compiled=False)
+    history, times = run.engine.history, np.unique(np.append(run.t, run.t[:-1] + 0.4 * np.diff(run.t)))
+    whole, compared = history.at(times), history.at(times, compared=True)
+    assert np.unique(whole.part("mode"), axis=0).shape[0] > 3  # in flight, one pair in contact, another, several
+    for part in COMPARED:
+        np.testing.assert_array_equal(compared.part(part), whole.part(part), part)
 
 
 def test_an_error_that_goes_up_and_down_along_the_run_is_looked_for_in_a_hundred_steps_of_it():

@@ -31,7 +31,7 @@ def failing(monkeypatch, after, error):
     evaluate, calls = caller.Caller.__call__, []
 
     def call(self):
-        if self.results[0].shape[0] == 256:  # of a chunk
+        if self.results[0].shape[0] == 256 and len(self.results) > 1:  # of a chunk
             calls.append(self)
             if len(calls) > after:
                 raise error

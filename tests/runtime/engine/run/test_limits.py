@@ -75,7 +75,9 @@ def test_the_time_is_that_of_all_runs_of_a_request(crank, monkeypatch):
 def test_nothing_is_found_of_a_run_that_the_limit_stops(crank, monkeypatch):
     """States at which it would be compared with others took seconds of a large model. On the old code they were found nevertheless."""
     between, read = History.between, []
-    monkeypatch.setattr(History, "between", lambda self, *given: read.append(given) or between(self, *given))
+    monkeypatch.setattr(
+        History, "between", lambda self, *given, **named: read.append(given) or between(self, *given, **named)
+    )
     request = {"duration": "24 ms", "accuracy": 1e-6, "compiled": False}
     stopped = simulate(crank, **request, wall_time=1e-9)
     assert stopped.outcome.name == "wall_time_limit"
