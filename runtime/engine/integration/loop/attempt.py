@@ -18,7 +18,7 @@ from hertzwerk.runtime.engine.integration.loop.turning_slip import implicit_near
 from hertzwerk.runtime.engine.integration.many_pairs.watched_model import WatchedModel
 from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE, Contacts, contact_classes
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
-from hertzwerk.runtime.engine.integration.step.layout import REJECTED, RUNNING, Layouts, layouts
+from hertzwerk.runtime.engine.integration.step.layout import REJECTED, RUNNING, Layouts, event_layouts, layouts
 from hertzwerk.runtime.engine.integration.step.singular_positions import explicit_near
 from hertzwerk.runtime.engine.integration.step.stepper import stepper
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta, dopri5
@@ -109,8 +109,8 @@ def _integrator(
         done = explicit_near(vectors.state, tables, taken)(done)
     return Integrator(
         layouts=vectors,
-        begin=begin(model, vectors, right),
-        enter=enter(model, vectors, right) if model.inputs else None,
+        begin=begin(model, event_layouts(model), right),
+        enter=enter(model, event_layouts(model), right) if model.inputs else None,
         attempt=ca.Function("attempt", [state, controls], [done], ["state", "controls"], ["next"]),
         model=model,
         tables=tables,
@@ -120,7 +120,7 @@ def _integrator(
 @per_model
 def _completions(model: EngineModel, table: Table) -> tuple[Any, Any, Any]:
     """Return the functions that complete a step that is NEAR, SPECIAL, REJECTED."""
-    vectors = layouts(model)
+    vectors = event_layouts(model)
     special = settle(model, vectors, table, flow(model))
     near = special
     if model.k > 1:  # one pair is always asked

@@ -17,7 +17,7 @@ import casadi as ca
 
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel, gaps_by_kind
 from hertzwerk.runtime.engine.integration.many_pairs.vectorised import Alike, Kind, alike
-from hertzwerk.runtime.engine.integration.step.layout import layouts
+from hertzwerk.runtime.engine.integration.step.layout import event_layouts
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
@@ -38,7 +38,7 @@ def gap_rounding(model: EngineModel) -> Any:
     if isinstance(model, NearModel):
         return model.at_places("rounding", _of_kinds(gaps_by_kind(model.whole), STATE), (0, 0))
     gaps = model.function("gaps")
-    if layouts(model).kind is ca.MX:
+    if event_layouts(model).kind is ca.MX:
         arguments = gaps.sx_in()
         items = zip(*map(ca.vertsplit, gaps.call(arguments)), strict=True)
         grouped = alike(arguments, [ca.vertcat(*parts) for parts in items])

@@ -13,7 +13,7 @@ from hertzwerk.runtime.engine.integration.loop.c_compilation import c_text
 from hertzwerk.runtime.engine.integration.loop.chunk import chunk
 from hertzwerk.runtime.engine.integration.many_pairs.selection import places_of, running_sum
 from hertzwerk.runtime.engine.integration.many_pairs.vectorised import alike, over_items
-from hertzwerk.runtime.engine.integration.step import stepper
+from hertzwerk.runtime.engine.integration.step import layout, stepper
 from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE
 from hertzwerk.runtime.engine.integration.step.explicit_step import calls_parts, flow, written_flow
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT
@@ -249,3 +249,21 @@ def test_called_stages_give_the_run_of_inlined_ones(name, monkeypatch):
     )
     assert called.statistics.steps == inlined.statistics.steps
     assert called.engine.history.part("y") == pytest.approx(inlined.engine.history.part("y"), rel=1e-11, abs=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("name", "duration", "share"), [("chain_on_table", "0.1 s", 0.95), ("ball_bearing", "1 ms", 0.82)]
+)
+def test_events_of_several_pairs_in_vectors_change_no_bit(name, duration, share, monkeypatch):
+    """share: of the C of the loop where they are written out for each pair, at most."""
+    model, tables = engine_model(name), tuple(table() for table in METHODS["dop853"])
+    monkeypatch.setattr(layout, "SEVERAL", model.k)
+    scalars = EngineModel(model.module)
+    options = {"duration": duration, "tolerance": 1e-6, "method": "dop853", "compiled": False}
+    expected = simulate(scalars, **options)
+    monkeypatch.undo()
+    actual = simulate(EngineModel(model.module), **options)
+    assert expected.statistics.events >= 3
+    assert np.array_equal(expected.engine.history.rows, actual.engine.history.rows)
+    less, more = (len(c_text([chunk(integrator(of.engine.model, tables))])) for of in (actual, expected))
+    assert less < share * more
