@@ -474,7 +474,7 @@ def growth(times: np.ndarray, values: np.ndarray, tolerance: float) -> float | N
     usable = (values > DETECTABLE * tolerance) & (times <= (math.inf if valid is None else valid))
     if np.count_nonzero(usable) < 8:
         return None
-    return float(np.polyfit(times[usable], np.log(values[usable]), 1)[0])
+    return _slope(times[usable], np.log(values[usable]))
 
 
 def decade_cost(made: Sequence[tuple[float, int]]) -> float | None:
@@ -485,4 +485,10 @@ def decade_cost(made: Sequence[tuple[float, int]]) -> float | None:
     if len({tolerance for tolerance, _ in made}) < 2:
         return None
     tolerances, evaluations = np.log10(np.array(made)).T
-    return float(10 ** -np.polyfit(tolerances, evaluations, 1)[0])
+    return 10 ** -_slope(tolerances, evaluations)
+
+
+def _slope(x: np.ndarray, y: np.ndarray) -> float:
+    """Return the slope of the straight line of least squares through points x, y (n,)."""
+    off = x - np.mean(x)
+    return float(off @ y / (off @ off))

@@ -145,7 +145,8 @@ class Sampled:
 
     EVEN, BENT = 100, 60  # the former are between so many and twice as many
     LATE = 0.99  # of a step: its error grows towards its end
-    THROUGHOUT = 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, LATE  # where rates change at once it goes up and down several times
+    # where rates change at once it goes up and down; of 224 runs none was more than 5 % larger at .15, .3, .6 and .9 as well
+    THROUGHOUT = 0.45, 0.75, LATE
     SHORT = 100  # tolerances, as a shift in time by length over speed: shorter steps may be those between such events
 
     def __init__(self, begin: float, end: float, count: int, *, later: bool) -> None:
