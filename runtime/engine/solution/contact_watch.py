@@ -321,34 +321,38 @@ def _largest(pieces: Sequence[Piece], j: int, within: np.ndarray, lengths: np.nd
     within    rows in contact, of one contact after another, so many each
     """
     starts = np.cumsum(lengths) - lengths
-    columns = []
-    for part, rate, sign in KINDS:
-        crests = [_crests(block, rows, sign, block.of_pair(part, j), block.of_pair(rate, j)) for block, rows in pieces]
-        columns += [sign * _joined(pieces, part, j)[within], np.concatenate(crests)[within]]
-    largest, places = np.empty((len(starts), len(columns))), np.empty((len(starts), len(columns)), dtype=int)
-    for i, values in enumerate(columns):
-        values[np.isnan(values)] = math.inf  # what is no number counts as the largest
-        largest[:, i] = np.maximum.reduceat(values, starts)
-        hits = np.flatnonzero(values == np.repeat(largest[:, i], lengths))
-        places[:, i] = within[hits[np.searchsorted(hits, starts)]]
-    for row, crest in zip(*np.split(np.arange(len(columns)).reshape(-1, RANKINGS), RANKINGS, axis=1), strict=True):
-        beside = (places[:, crest] == places[:, row]) | (places[:, crest] == places[:, row] + 1)
-        places[:, crest] = np.where(beside, places[:, row], places[:, crest])
-    return largest, places
+    values = np.empty((len(KINDS), RANKINGS, len(within)))
+    values[:, 0], values[:, 1] = (table[:, within] for table in _heights(pieces, j))
+    values[np.isnan(values)] = math.inf  # what is no number counts as the largest
+    largest = np.maximum.reduceat(values, starts, axis=2)
+    hits = np.where(values == np.repeat(largest, lengths, axis=2), np.arange(len(within)), len(within))
+    places = within[np.minimum.reduceat(hits, starts, axis=2)]
+    row, crest = places[:, 0], places[:, 1]
+    places[:, 1] = np.where((crest == row) | (crest == row + 1), row, crest)
+    return largest.reshape(-1, len(starts)).T, places.reshape(-1, len(starts)).T
 
 
-def _crests(block: History, rows: slice, sign: int, values: np.ndarray, rates: np.ndarray) -> np.ndarray:
-    """Return the crests (n,) of a value in the steps that end at rows, -inf where there is none.
+def _heights(pieces: Sequence[Piece], j: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the values at joined rows, and the crests in the steps that end there, each (kinds, n).
 
-    They are those of cubics, also where both ends rise or fall. One far above both is none: in hard contacts rates may be wild.
+    Crests are those of cubics, also where both ends rise or fall, and -inf where there is none. One far above both is none: in hard
+    contacts rates may be wild.
     """
-    steps = slice(max(rows.start - 1, 0), rows.stop)
-    h, value, rate = np.diff(block.t[steps]), sign * values[steps], sign * rates[steps]
-    higher = np.maximum(value[:-1], value[1:])
+    before = [(block, slice(max(rows.start - 1, 0), rows.stop)) for block, rows in pieces]
+    values, rates = (np.stack([sign * _joined(before, names[i], j) for *names, sign in KINDS]) for i in range(2))
+    t = np.concatenate([block.t[rows] for block, rows in before])
+    h, higher = np.diff(t), np.maximum(values[:, :-1], values[:, 1:])
     with np.errstate(all="ignore"):
-        place, crest, _ = crest_of_cubic(np, value[:-1], value[1:], h * rate[:-1], h * rate[1:])
+        place, crest, _ = crest_of_cubic(np, values[:, :-1], values[:, 1:], h * rates[:, :-1], h * rates[:, 1:])
         sound = (place > 0) & (place < 1) & (crest > higher) & (crest < CREST * higher)
-    return np.append(np.full(rows.stop - rows.start - len(h), -math.inf), np.where(sound, crest, -math.inf))
+    crests = np.pad(np.where(sound, crest, -math.inf), ((0, 0), (1, 0)), constant_values=-math.inf)
+    ends = np.cumsum([rows.stop - rows.start for _, rows in before])
+    among = np.ones(len(t), dtype=bool)
+    for (_, rows), (_, own), end in zip(before, pieces, ends.tolist(), strict=True):
+        first = end - (rows.stop - rows.start)
+        crests[:, first] = -math.inf  # no step of this run ends there
+        among[first] = rows.start == own.start
+    return values[:, among], crests[:, among]
 
 
 def _beside(pieces: Sequence[Piece], run: np.ndarray, places: np.ndarray, onsets: np.ndarray) -> np.ndarray:
