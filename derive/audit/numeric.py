@@ -112,7 +112,15 @@ def evaluate(expression: sp.Expr, state: State) -> Any:
 def _numeric(expression: sp.Expr) -> tuple[list[sp.Symbol], Callable[..., Any]]:
     """Function of mpmath numbers for an expression, and its arguments."""
     symbols = sorted(expression.free_symbols, key=str)
-    return symbols, sp.lambdify(symbols, expression, [{"Where": _choose}, "mpmath"])
+    return symbols, numeric(symbols, expression)
+
+
+def numeric(symbols: Sequence[Any], wanted: Any, named: Sequence[tuple[Any, Any]] = ()) -> Callable[..., Any]:
+    """Function of mpmath numbers, the values of `symbols`, for an expression or several.
+
+    named  assignments that they use, in order
+    """
+    return sp.lambdify(symbols, wanted, [{"Where": _choose}, "mpmath"], cse=lambda of: (named, of))  # type: ignore[no-any-return]
 
 
 def _choose(condition: Any, a: Any, b: Any) -> Any:

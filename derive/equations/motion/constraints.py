@@ -6,19 +6,26 @@ The second derivative of a coupling's equation is exact: its derivatives by coor
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import suppress
+from itertools import islice
+from math import inf
 from typing import Any
 
 import sympy as sp
+from mpmath import mp  # SymPy brings it
 
+from hertzwerk.derive.audit.numeric import DIGITS
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.derive.declare.effects.couplings import LENGTH, Coupling
 from hertzwerk.derive.declare.effects.effect import SpeedConstraint
 from hertzwerk.derive.declare.effects.state_expression import T, states_in
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.equations.motion.loop_closure import Constraint, Measured, closing_constraints, measured
+from hertzwerk.derive.equations.motion.probe import STATES, UNDEFINED, Probe
 from hertzwerk.derive.equations.motion.spanning_tree import Row
 from hertzwerk.derive.expressions.algebra.vectors import Vector, add, cross, dot, sub
 
+ZERO = 1e-15  # SI: what is smaller, evaluated with 40 digits, cancels
 ON_SPEED = "m/s"  # unit of a constraint on a speed, which has no integral
 
 
@@ -29,21 +36,45 @@ def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
     """
     constraints = list(closing_constraints(kinematics))
     still = [constraint for constraint in constraints if constraint.rate == 0]
-    never = [constraint for constraint in still if sp.expand(kinematics.tape.written_out(constraint.value)) != 0]
+    never = [
+        (constraint, f"= {constraint.value}")
+        for constraint in still
+        if sp.expand(kinematics.tape.written_out(constraint.value)) != 0
+    ]
+    moving = [constraint for constraint in constraints if constraint.rate != 0 and constraint.value != 0]
+    largest = list(zip(moving, *_largest(kinematics, moving), strict=True))
+    never += [(constraint, "other than 0") for constraint, rate, value in largest if rate <= ZERO < value]
     if never:
         faults = [
-            Fault(f"joint {constraint.group.split('.')[0]}", f"{constraint.name} = {constraint.value}, whatever the motion",
+            Fault(f"joint {constraint.group.split('.')[0]}", f"{constraint.name} {value}, whatever the motion",
                   "0, or the loop stays open", "Give both points the same place across the plane of motion.")
-            for constraint in never
+            for constraint, value in never
         ]  # fmt: skip
         raise InputError(f"mechanism {kinematics.mechanism.name}", faults)
-    constraints = [constraint for constraint in constraints if constraint.rate != 0 and constraint.value != 0]
+    constraints = [constraint for constraint, rate, _ in largest if rate > ZERO]
     constraints += [] if kinematics.by_expressions is None else kinematics.by_expressions.constraints
     constraints += [_coupled(kinematics, coupling) for coupling in kinematics.scene.all(Coupling)]
     for effect in kinematics.scene.effects:
         on_speeds = (_on_speeds(kinematics, effect.name, c) for c in effect.speed_constraints(kinematics))
         constraints += [constraint for constraint in on_speeds if constraint.rate != 0]
     return tuple(constraints)
+
+
+def _largest(kinematics: Kinematics, constraints: list[Constraint]) -> tuple[list[float], list[float]]:
+    """Largest rate and value of each constraint at random positions, speeds and parameters; infinite if undefined.
+
+    A constraint that every motion fulfils vanishes by structure in the coordinate planes. Along an axis that
+    parameters tilt only its terms cancel: cos(tilt) sin(tilt) - sin(tilt) cos(tilt).
+    """
+    count, probe, states = len(constraints), Probe(kinematics, kinematics.scene.size), []
+    if constraints:
+        wanted = [*(constraint.rate for constraint in constraints), *(constraint.value for constraint in constraints)]
+        with suppress(*UNDEFINED), mp.workdps(DIGITS):
+            states = [probe.values(wanted, state) for state in islice(probe.states(parameters=True), STATES)]
+    if len(states) < STATES:  # structure decides
+        return [inf] * count, [inf] * count
+    largest = [max(map(abs, column)) for column in zip(*states, strict=True)]
+    return largest[:count], largest[count:]
 
 
 def driving_rows(constraints: Iterable[Constraint]) -> list[Row]:

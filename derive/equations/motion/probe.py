@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.audit.numeric import evaluate
+from hertzwerk.derive.audit.numeric import numeric
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.expressions.parameter import Parameter
 from hertzwerk.derive.program.program import symbols_in
 
 STATES = 4
+UNDEFINED = (ValueError, TypeError, ZeroDivisionError, OverflowError)
+"""What evaluation raises where an expression has no value."""
 _TRIES, _CORRECTIONS = 20, 30
 
 Numbers = dict[Any, Any]
@@ -29,25 +31,28 @@ class Probe:
         self.kin = kinematics
         self.length = length
         self._random = random.Random(1)
+        self._functions: dict[tuple[Any, ...], tuple[list[Any], Callable[..., Sequence[Any]]]] = {}
 
-    def values(self, wanted: list[Any], inputs: Mapping[Any, Any]) -> list[float]:
+    def values(self, wanted: Sequence[Any], inputs: Mapping[Any, Any]) -> list[float]:
         """Values of expressions on the tape, with the values `inputs`."""
-        known: Numbers = dict(inputs)
-        return [float(self._value(expression, known)) for expression in wanted]
+        symbols, function = self._function(tuple(wanted))
+        known = {**inputs, **{symbol: symbol.si for symbol in symbols if symbol not in inputs}}
+        return [float(value) for value in function(*(known[symbol] for symbol in symbols))]
 
-    def _value(self, expression: Any, known: Numbers) -> Any:
-        expression = sp.sympify(expression)
-        for symbol in symbols_in(expression):
-            if symbol in known:
-                continue
-            if isinstance(symbol, Parameter):
-                known[symbol] = symbol.si
-            else:
-                known[symbol] = self._value(self.kin.tape.assignments[symbol], known)
-        return evaluate(expression, known)
+    def _function(self, wanted: tuple[Any, ...]) -> tuple[list[Any], Callable[..., Sequence[Any]]]:
+        """Inputs of expressions on the tape, and their function of these, with the assignments that it needs."""
+        if wanted not in self._functions:
+            needed, named = set().union(*map(symbols_in, wanted)), []
+            for symbol, value in reversed(self.kin.tape.assignments.items()):
+                if symbol in needed:
+                    named.append((symbol, value))
+                    needed.update(symbols_in(value))
+            inputs = sorted(needed.difference(symbol for symbol, _ in named), key=str)
+            self._functions[wanted] = inputs, numeric(inputs, wanted, named[::-1])
+        return self._functions[wanted]
 
-    def states(self) -> Iterator[Numbers]:
-        """Yield random coordinates and speeds, of drives too, without end."""
+    def states(self, *, parameters: bool = False) -> Iterator[Numbers]:
+        """Yield random coordinates and speeds, of drives too, without end; of parameters too, near their defaults."""
         freedoms = [(freedom, self.kin.motion_of_freedom(freedom)) for freedom in self.kin.mechanism.freedoms]
         while True:
             state: Numbers = {self.kin.t: self._random.uniform(0, 1)}
@@ -55,6 +60,8 @@ class Probe:
                 size = self.length if freedom.kind == "slide" else 1.0
                 self._fill(state, coordinates, size)
                 self._fill(state, speeds, size)
+            for parameter in self.kin.scene.dimensions if parameters else ():
+                state[parameter] = (parameter.si or 1.0) * self._random.uniform(0.7, 0.9)
             yield self._normalised(state)
 
     def _fill(self, state: Numbers, symbols: Any, size: float) -> None:
@@ -92,7 +99,7 @@ class Probe:
                 length = sum(slope**2 for slope in slopes)
                 step = {s: (target - value) * k / length for s, k in zip(self.kin.u, slopes, strict=True)}
                 moves = self.values(list(self.kin.rates), {**state, **step})
-            except (ValueError, TypeError, ZeroDivisionError, OverflowError):
+            except UNDEFINED:
                 return None  # not defined there
             state = dict(state)
             for symbol, move in zip(self.kin.q, moves, strict=True):

@@ -4,11 +4,28 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import sympy as sp
 from derived import Derived
 from kane import Tree, driven, random_tree
 
-from hertzwerk.derive import GROUND, ConstantSpeed, Free, Mechanism, Parameter, Prismatic, Revolute, Scene, Start, X, Z
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    ConstantSpeed,
+    Direction,
+    Free,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Revolute,
+    Scales,
+    Scene,
+    Start,
+    X,
+    Z,
+)
 from hertzwerk.derive.common.faults import InputError
+from hertzwerk.runtime import simulate
 
 TREES = {
     "four-bar": random_tree("R+Z R+Z R-Z", 41, planar=2),
@@ -171,6 +188,53 @@ def test_a_loop_that_cannot_be_closed_is_refused():
     scene = replace(case.scene, mechanism=Mechanism("tree", (*case.scene.mechanism.joints[:-1], off)))
     with pytest.raises(InputError, match=r"closing\.apart_z = off, whatever the motion"):
         Derived(scene)
+
+
+TILT = Parameter("tilt", "deg", 25)
+
+
+def test_a_four_bar_in_a_tilted_plane_closes_as_triangles_require():
+    """Across the plane no constraint is left; that it vanishes shows by numbers alone: cos sin - sin cos."""
+    base, a, b, c = (Parameter(name, "m", value) for name, value in zip("dabc", (0.3, 0.1, 0.3, 0.25), strict=True))
+    crank, coupler, rocker = (
+        Body.rod(name, length, mass=Parameter(f"m_{name}", "kg", 1), centre=(length / 2, 0, 0))
+        for name, length in (("crank", a), ("coupler", b), ("rocker", c))
+    )
+    axis = Direction((0, -sp.sin(TILT), sp.cos(TILT)))
+    joints = (
+        Revolute("main", GROUND, crank, axis),
+        Revolute("pin", crank.at(a, 0, 0), coupler, axis),
+        Revolute("bearing", GROUND.at(base, 0, 0), rocker, axis),
+        Revolute("last", coupler.at(b, 0, 0), rocker.at(c, 0, 0), axis),
+    )
+    scene = Scene(
+        Mechanism("four_bar", joints),
+        (ConstantSpeed("drive", "main", Parameter("speed", "rad/s", 30)),),
+        Scales(length=a, speed=Parameter("pace", "m/s", 3), arm=a),
+        Start(near={"bearing": Parameter("open", "rad", 1.8)}),
+    )
+    assert not any("turned" in name for name, *_ in Derived(scene).CONSTRAINTS)
+    run = simulate(scene, duration="0.1 s", tolerance=1e-8)
+    reach = 0.1 * np.exp(3j) - 0.3  # from the bearing to the crank pin; then by the law of cosines
+    corner = np.arccos((abs(reach) ** 2 + 0.25**2 - 0.3**2) / (2 * abs(reach) * 0.25))
+    assert run["bearing.angle"][-1] == pytest.approx(np.angle(reach) - corner, abs=1e-6)
+
+
+def guides(axis, turn, offset):
+    """A belt and a block on parallel guides, and a third guide between them."""
+    belt, block = (Body(name, Parameter(f"m_{name}", "kg", 1)) for name in ("belt", "block"))
+    fixed = (GROUND.at(0, y, 0).turned(Z, turn) for y in (0, offset))
+    joints = Prismatic("run", next(fixed), belt, axis), Prismatic("slide", next(fixed), block, axis)
+    pace = Parameter("pace", "m/s", 0.1)
+    mechanism = Mechanism("guides", (*joints, Prismatic("rub", belt, block, axis)))
+    return Scene(mechanism, (), Scales(length=Parameter("size", "m", 0.1), speed=pace))
+
+
+@pytest.mark.parametrize("way", [(X, TILT), (Direction((sp.cos(TILT), sp.sin(TILT), 0)), 0)])
+def test_parallel_guides_along_a_tilted_axis_leave_no_constraint(way):
+    assert not Derived(guides(*way, 0)).CONSTRAINTS
+    with pytest.raises(InputError, match=r"rub\.off_\w other than 0, whatever the motion"):
+        Derived(guides(*way, Parameter("offset", "mm", 1)))
 
 
 def test_faults_of_closing_joints_come_all_at_once():
