@@ -142,6 +142,12 @@ def _with_closing_change(
     return tuple(replace(fault, remedy=f"{way}; {fault.remedy}") for fault in faults)
 
 
+def moved_by_loops(model: EngineModel, bound: BoundParameters, q: Array) -> Array:
+    """Return whether each coordinate (nq,) enters a constraint at a position."""
+    moved: Array = np.any(_Loops(model, bound).at(q).by_q != 0, axis=0)
+    return moved
+
+
 def undetermined(model: EngineModel, bound: BoundParameters, q: Array) -> tuple[str, ...]:
     """Return the redundant constraints at a position, whose forces the motion leaves undetermined."""
     unclosed = np.max(np.abs(_implied(_Loops(model, bound), q)), axis=0, initial=0.0) > RANK**0.5

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from functools import partial
-from itertools import pairwise
+from collections.abc import Mapping, Sequence
 from typing import TypeVar
 
 import numpy as np
@@ -15,7 +13,6 @@ from hertzwerk.runtime.engine.model.binding import Value, named_values, plain_va
 from hertzwerk.runtime.engine.model.model import BoundParameters, Dependent, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.si_values import latch_units
-from hertzwerk.runtime.engine.start.pair_values import pair_values
 from hertzwerk.runtime.engine.start.stated_start import as_stated
 
 AnyValue = TypeVar("AnyValue", bound=Value)
@@ -144,11 +141,12 @@ def overlaps(
     Those are pressed so deep that they separate faster than the scene moves.
     """
     from hertzwerk.runtime.engine.start.intrusion import LIMIT, intrusions
+    from hertzwerk.runtime.engine.start.separation import separating_change
 
     faults, warnings = [], []
     held = ", and its damping, which has no approach speed, may hold it there" if model.latches else ""
     for overlap in intrusions(model, bound, q, u):
-        way_out = _separating_change(model, bound, initial, overlap.pair)
+        way_out = separating_change(model, bound, initial, overlap.pair)
         if not overlap.too_deep:
             warnings.append(
                 f"{overlap.pair} starts {overlap.depth:.3g} m deep: stiffness alone would throw that apart at "
@@ -163,54 +161,6 @@ def overlaps(
             expected = f"at most about {overlap.allowed:.2g} m, where that is {LIMIT:g} times as fast as the scene"
         faults.append(Fault(f"start, {overlap.pair}", why, expected, way_out))
     return faults, tuple(warnings)
-
-
-def _separating_change(model: EngineModel, bound: BoundParameters, initial: Mapping[str, Value], pair: str) -> str:
-    """Suggest the coordinate whose least change, in the scene's scales, separates a pair's surfaces."""
-    joints, j = model.joints, model.pairs.index(pair)
-    stated, still = assembled(model, bound, initial, [])
-    sizes = joints.evaluate("scales", bound.p)[0]
-
-    def gap(i: int, change: float) -> float:
-        q = stated.copy()
-        q[i] += change
-        q, u = model.placed(bound, q, still)
-        return float(pair_values(model, "gaps", [j], {"t": 0.0, "q": q, "u": u, "c": bound.c})[0][0])
-
-    ways = []
-    moving = model.members[j][1] if model.members else range(joints.nq)
-    for i in moving if not joints.nl else ():  # in a loop nothing changes alone
-        name = joints.coordinates[i]
-        size = sizes[i] if math.isfinite(sizes[i]) and sizes[i] > 0 else 1e-3
-        change = None if joints.units[name] == "1" else _least_change(partial(gap, i), size)
-        if change is not None:
-            ways.append((abs(change) / size, i, change))
-    if not ways:
-        return "no coordinate alone brings them apart: check the lengths of the mechanism, and what the start states"
-    _, i, change = min(ways)
-    name, at, unit = joints.coordinates[i], stated[i], joints.units[joints.coordinates[i]]
-    return f"they touch with {name} at {at + change:.6g} {unit} in place of {at:.6g} {unit}, a change of {change:.3g} {unit}"
-
-
-def _least_change(gap: Callable[[float], float], size: float) -> float | None:
-    """Return the least change of a coordinate, in either direction, that opens a gap; None if none does.
-
-    Changes up to 1e6 sizes are tried.
-    """
-    steps = [size * 2.0**k for k in range(-6, 21)]
-    opening = (
-        (sign * before, sign * step)
-        for before, step in pairwise([0.0, *steps])
-        for sign in (1, -1)
-        if gap(sign * step) >= 0
-    )
-    closed, opened = next(opening, (0.0, math.nan))
-    if math.isnan(opened):
-        return None
-    for _ in range(60):
-        middle = (closed + opened) / 2
-        closed, opened = (closed, middle) if gap(middle) >= 0 else (middle, opened)
-    return opened
 
 
 def dependent(model: EngineModel, bound: BoundParameters, q: np.ndarray) -> tuple[Dependent, ...]:

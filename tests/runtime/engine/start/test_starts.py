@@ -1,10 +1,13 @@
 """Starts are found, kept and checked: against the closed forms of four-bar and slider-crank, which know nothing of joints, pairs or assembly."""
 
+import math
+import re
 from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import sympy as sp
 from click.testing import CliRunner
 
 import hertzwerk.derive as hd
@@ -248,6 +251,31 @@ def test_surfaces_deep_in_each_other_are_named_with_what_brings_them_apart(scene
     touching = simulate(model, duration="0.1 ms", tolerance=1e-6, initial={name: (there, "m")})
     assert touching.outcome.finished
     assert abs(touching[f"{pair}.gap"][0]) < 1e-9
+
+
+def test_gears_that_start_tooth_on_tooth_are_turned_by_half_a_pitch():
+    """The turn that parts one pair of flanks alone presses the other pair: it was proposed."""
+    model = engine_model("gears_with_backlash")
+    (fault,) = faults_of(model, {"idler.angle": (math.pi / 31, "rad")})
+    found = re.search(r"they are apart with idler.angle at (\S+) rad", fault.remedy)
+    assert float(found[1]) == pytest.approx(0, abs=1e-3)
+    run = simulate(model, duration="1 us", tolerance=1e-6, initial={"idler.angle": (float(found[1]), "rad")})
+    assert min(run["mesh_1.gap"][0], run["mesh_2.gap"][0]) > 0
+
+
+def test_the_angle_of_a_crank_that_a_coupling_moves_brings_a_yoke_off_its_stop():
+    """r cos(angle) + radius = stop: 40 mm cos(angle) = 40 mm - 10 mm, with the yoke solved for."""
+    r, mass, pace = hd.Parameter("r", "mm", 40), hd.Parameter("m", "kg", 1), hd.Parameter("pace", "m/s", 1)
+    crank, yoke = hd.Body("crank", mass, mass * r**2), hd.Body("yoke", mass)
+    stop = hd.GROUND.at(hd.Parameter("stop", "mm", 40), 0, 0)
+    hit = hd.SphereOnPlane("hit", yoke.at(0, 0, 0), hd.Parameter("nose", "mm", 10), stop, normal=-hd.X)
+    joints = hd.Revolute("main", hd.GROUND, crank, hd.Z), hd.Prismatic("guide", hd.GROUND, yoke, hd.X)
+    slot = hd.Coupling("slot", equation=hd.coordinate_of("guide") - r * sp.cos(hd.coordinate_of("main")))
+    contact, start = hd.Contact("hit", hertz_point(steel, steel)), hd.Start({"main": hd.Parameter("at", "deg", 10)})
+    scales = hd.Scales(r, pace, arm=r)
+    model = engine_model(hd.Scene(hd.Mechanism("yoke", joints, (hit,)), (slot, contact), scales, start))
+    (fault,) = faults_of(model, {})
+    assert f"they touch with main.angle at {math.acos(30 / 40):.6g} rad" in fault.remedy
 
 
 def test_the_depth_that_is_allowed_is_that_of_hertz_at_five_times_the_speed():
