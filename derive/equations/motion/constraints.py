@@ -61,7 +61,7 @@ def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
 
 
 def _largest(kinematics: Kinematics, constraints: list[Constraint]) -> tuple[list[float], list[float]]:
-    """Largest rate and value of each constraint at random positions, speeds and parameters; infinite if undefined.
+    """Largest rate and value of each constraint at random states and parameters; infinite if undefined.
 
     A constraint that every motion fulfils vanishes by structure in the coordinate planes. Along an axis that
     parameters tilt only its terms cancel: cos(tilt) sin(tilt) - sin(tilt) cos(tilt).

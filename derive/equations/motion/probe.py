@@ -15,7 +15,7 @@ from hertzwerk.derive.program.program import symbols_in
 
 STATES = 4
 UNDEFINED = (ValueError, TypeError, ZeroDivisionError, OverflowError)
-"""What evaluation raises where an expression has no value."""
+"""Errors of an evaluation where an expression has no value."""
 _TRIES, _CORRECTIONS = 20, 30
 
 Numbers = dict[Any, Any]
@@ -52,7 +52,7 @@ class Probe:
         return self._functions[wanted]
 
     def states(self, *, parameters: bool = False) -> Iterator[Numbers]:
-        """Yield random coordinates and speeds, of drives too, without end; of parameters too, near their defaults."""
+        """Yield random coordinates and speeds, of drives too, without end; parameters near their defaults."""
         freedoms = [(freedom, self.kin.motion_of_freedom(freedom)) for freedom in self.kin.mechanism.freedoms]
         while True:
             state: Numbers = {self.kin.t: self._random.uniform(0, 1)}

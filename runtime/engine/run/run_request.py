@@ -25,7 +25,8 @@ from hertzwerk.runtime.engine.run.drive_speed import drive_speed
 from hertzwerk.runtime.engine.run.output_times import Grid, times_of
 from hertzwerk.runtime.engine.solution import error_scales as scaling
 from hertzwerk.runtime.engine.solution.error_scales import Scales
-from hertzwerk.runtime.engine.start.start_values import dependent, overlaps, start_of
+from hertzwerk.runtime.engine.start.separation import overlaps
+from hertzwerk.runtime.engine.start.start_values import dependent, start_of
 from hertzwerk.runtime.system.lazy import cached_property
 
 ACCURACIES, TOLERANCES = (1e-12, 1e-1), (LEAST, 1e-1)

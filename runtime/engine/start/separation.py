@@ -1,4 +1,4 @@
-"""The coordinate that separates two surfaces which overlap at the start, and its least change.
+"""Surfaces that overlap at the start: faults and warnings, with the coordinate that separates them.
 
 A change is tried on the whole start: loops are closed anew, and every pair that it moves has to end open. The gap of
 curves that are deep in each other may jump to one of other places, as between teeth; a change beside a jump is none.
@@ -16,6 +16,7 @@ import numpy as np
 from hertzwerk.derive.common.faults import Fault
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
+from hertzwerk.runtime.engine.start.intrusion import LIMIT, intrusions
 from hertzwerk.runtime.engine.start.pair_values import pair_values
 from hertzwerk.runtime.engine.start.start_values import assembled
 
@@ -24,6 +25,34 @@ HALVINGS = 60
 GOLDEN = (math.sqrt(5) - 1) / 2
 PRESSED = 1e-2  # part of the overlap that other pairs may have had before, as those at rest do
 TURNS = np.linspace(0, math.pi / 4, 1025)  # rad, tried between teeth: a wheel with 8 teeth or more has its gap within
+
+
+@np.errstate(all="ignore")
+def overlaps(
+    model: EngineModel, bound: BoundParameters, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray
+) -> tuple[list[Fault], tuple[str, ...]]:
+    """Return a fault for each pair that overlaps too deeply at the start, and warnings of the others.
+
+    Those are pressed so deep that they separate faster than the scene moves.
+    """
+    faults, warnings = [], []
+    held = ", and its damping, which has no approach speed, may hold it there" if model.latches else ""
+    for overlap in intrusions(model, bound, q, u):
+        way_out = separating_change(model, bound, initial, overlap.pair)
+        if not overlap.too_deep:
+            warnings.append(
+                f"{overlap.pair} starts {overlap.depth:.3g} m deep: stiffness alone would throw that apart at "
+                f"{overlap.speed:.3g} m/s, faster than the scene is{held}; {way_out}"
+            )
+            continue
+        if not overlap.in_range:
+            why = f"a penetration of {overlap.depth:.3g} m, so deep that its law is not defined there"
+            expected = "surfaces that are apart, or touch"
+        else:
+            why = f"a penetration of {overlap.depth:.3g} m, which would throw the surfaces apart at {overlap.speed:.3g} m/s"
+            expected = f"at most about {overlap.allowed:.2g} m, where that is {LIMIT:g} times as fast as the scene"
+        faults.append(Fault(f"start, {overlap.pair}", why, expected, way_out))
+    return faults, tuple(warnings)
 
 
 def separating_change(model: EngineModel, bound: BoundParameters, initial: Mapping[str, Value], pair: str) -> str:
@@ -87,23 +116,23 @@ class _Start:
 
     @property
     def candidates(self) -> list[int]:
-        """Coordinates that may be stated otherwise: of loops those that are stated, and all that no loop moves."""
-        joints, given = self.model.joints, {*(self.model.module.GIVEN or ()), *self.initial}
+        """Coordinates that may be stated otherwise: the stated ones, and all that no loop moves."""
+        joints, fixed = self.model.joints, {*(self.model.module.GIVEN or ()), *self.initial}
         moving = self.model.members[self.j][1] if self.model.members else range(joints.nq)
         names = joints.coordinates
         return [
-            i for i in moving if joints.units[names[i]] != "1" and (names[i] in given or not self._in_loops[i])
+            i for i in moving if joints.units[names[i]] != "1" and (names[i] in fixed or not self._in_loops[i])
         ]  # fmt: skip
 
     def turns_curve(self, i: int) -> bool:
-        """Whether coordinate i is an angle outside loops, and the pair one of two curves, which may have teeth."""
+        """Whether coordinate i is an angle outside loops and the pair two curves, which may have teeth."""
         joints, (_, kind) = self.model.joints, self.model.module.PAIRS[self.j]
         return kind == "curve_on_curve" and joints.units[joints.coordinates[i]] == "rad" and not self._in_loops[i]
 
     def room(self, i: int, change: float) -> float:
-        """Least gap [m] of the pair and of those that a change of coordinate i moves; -inf where loops stay open.
+        """Least gap [m] of the pair and of those that a change of coordinate i moves.
 
-        Of a pair that was pressed a little, the gap beyond that.
+        -inf where loops stay open. Of a pair that was pressed a little, the gap beyond that.
         """
         q = self.stated.copy()
         q[i] += change
@@ -126,7 +155,7 @@ class _Start:
 
 
 def _least_change(room: Callable[[float], float], size: float, depth: float) -> float | None:
-    """Return the least change of a coordinate, in either direction, that makes room; None if none does."""
+    """Return the least change of a coordinate, up or down, that makes room; None if none does."""
     ways = []
     for sign in (1, -1):
         steps = [0.0, *(sign * size * 2.0**k for k in STEPS)]
@@ -137,7 +166,7 @@ def _least_change(room: Callable[[float], float], size: float, depth: float) -> 
 
 
 def _between_teeth(room: Callable[[float], float], depth: float) -> float | None:
-    """Return the least turn, in either direction, that leaves most room between surfaces that enclose each other."""
+    """Return the least turn that leaves most room between surfaces that enclose each other."""
     ways = []
     for sign in (1, -1):
         turns = sign * TURNS
@@ -161,7 +190,10 @@ def _opening(room: Callable[[float], float], closed: float, opened: float) -> fl
 
 
 def _most_room(room: Callable[[float], float], low: float, high: float) -> float:
-    """Return where room is largest between two changes, by golden sections (Kiefer, Proc. AMS 4, 1953, 502)."""
+    """Return where room is largest between two changes.
+
+    By golden sections (Kiefer, Proc. AMS 4, 1953, 502).
+    """
     inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)]
     rooms = [room(change) for change in inner]
     for _ in range(HALVINGS):

@@ -132,37 +132,6 @@ def assembled(
     return q, u
 
 
-@np.errstate(all="ignore")
-def overlaps(
-    model: EngineModel, bound: BoundParameters, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray
-) -> tuple[list[Fault], tuple[str, ...]]:
-    """Return a fault for each pair that overlaps too deeply at the start, and warnings of the others.
-
-    Those are pressed so deep that they separate faster than the scene moves.
-    """
-    from hertzwerk.runtime.engine.start.intrusion import LIMIT, intrusions
-    from hertzwerk.runtime.engine.start.separation import separating_change
-
-    faults, warnings = [], []
-    held = ", and its damping, which has no approach speed, may hold it there" if model.latches else ""
-    for overlap in intrusions(model, bound, q, u):
-        way_out = separating_change(model, bound, initial, overlap.pair)
-        if not overlap.too_deep:
-            warnings.append(
-                f"{overlap.pair} starts {overlap.depth:.3g} m deep: stiffness alone would throw that apart at "
-                f"{overlap.speed:.3g} m/s, faster than the scene is{held}; {way_out}"
-            )
-            continue
-        if not overlap.in_range:
-            why = f"a penetration of {overlap.depth:.3g} m, so deep that its law is not defined there"
-            expected = "surfaces that are apart, or touch"
-        else:
-            why = f"a penetration of {overlap.depth:.3g} m, which would throw the surfaces apart at {overlap.speed:.3g} m/s"
-            expected = f"at most about {overlap.allowed:.2g} m, where that is {LIMIT:g} times as fast as the scene"
-        faults.append(Fault(f"start, {overlap.pair}", why, expected, way_out))
-    return faults, tuple(warnings)
-
-
 def dependent(model: EngineModel, bound: BoundParameters, q: np.ndarray) -> tuple[Dependent, ...]:
     """Return groups of redundant constraints, valid from a start on."""
     if not model.nl:

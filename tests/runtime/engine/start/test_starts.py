@@ -18,7 +18,8 @@ from hertzwerk.derive.scenes.slider_crank_three_clearances import scene as with_
 from hertzwerk.runtime import simulate, simulate_many
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.model import EngineModel
-from hertzwerk.runtime.engine.start.start_values import assembled, overlaps, start_of
+from hertzwerk.runtime.engine.start.separation import overlaps
+from hertzwerk.runtime.engine.start.start_values import assembled, start_of
 from hertzwerk.runtime.engine.start.stated_start import as_stated
 from hertzwerk.runtime.loading import engine_model
 from reference import scenes
