@@ -105,7 +105,7 @@ def require_intact(text: str, name: str, path: Path | None = None) -> None:
     else:
         return
     source = stated(text, "SOURCE")
-    beside = path is not None and (path.parent / source).is_file()
+    beside = path is not None and (path.parent / source).is_file() and path.name != source  # else the module itself
     again = command(
         shlex.quote(str(path.parent / source)) if path and beside else source,
         stated(text, "NAME") or name,

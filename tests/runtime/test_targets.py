@@ -166,6 +166,11 @@ def test_an_altered_module_is_refused_unexecuted_with_the_command_that_regenerat
     assert "executed" not in capsys.readouterr().out
     told("derive", "balls.py:light", "--out", "modules")
     assert load("modules/light_ball.py").name == "light_ball"
+    told("derive", "my_ball.py", "--out", "modules")  # a module with the name of its scene's file
+    own = project / "modules" / "my_ball.py"
+    own.write_text(f"{own.read_text()}\n")
+    with pytest.raises(InputError, match=r"hertzwerk derive my_ball.py --out modules"):
+        load("modules/my_ball.py")
 
 
 def test_a_check_says_in_one_line_that_no_module_is_in_place(project):
