@@ -9,7 +9,7 @@ from click.testing import CliRunner
 import hertzwerk.derive as hd
 from hertzwerk.derive.common.module_format import sealed
 from hertzwerk.derive.scenes import NAMES
-from hertzwerk.runtime import Solution, simulate, sweep
+from hertzwerk.runtime import Model, Solution, simulate, sweep
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.model.generated_text import module_of, text_of
@@ -249,7 +249,7 @@ def test_a_fault_in_the_inertia_is_seen():
 
 
 def test_all_names_are_reported_and_used_wherever_a_history_is(rattling, tmp_path):
-    entries = {entry.name: entry for entry in rattling.model.histories}
+    entries = {entry.name: entry for entry in Model(rattling.engine.model).histories}
     assert entries["crank_drive.torque"].derived and not entries["guide.travel"].derived
     assert (
         entries["main_bearing.reaction_x"].unit == "N" and "main_bearing" in entries["main_bearing.reaction_x"].meaning

@@ -12,7 +12,7 @@ from matplotlib.patches import Polygon
 
 import hertzwerk.derive as hd
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime import Model, Solution, load, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.output.drawings import labels, picture
 from hertzwerk.runtime.output.drawings.drawing import Drawing
@@ -212,7 +212,7 @@ def test_runs_that_kept_a_grid_are_drawn_and_saved_ones_say_why_not(tmp_path):
     with pytest.raises(InputError, match=r"(?s)saved run.*simulate again"):
         saved.draw()
     with pytest.raises(InputError, match=r"load\('bouncing_ball'\)"):
-        saved.model.draw()
+        Model(saved.engine.model).draw()
 
 
 # ---- command line ----------------------------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime import Model, Solution, load, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.run.continuation import with_steps
 from hertzwerk.runtime.output.drawings import picture
@@ -123,7 +123,7 @@ def test_titles_name_what_differs_from_the_scene(crank, monkeypatch):
         assert said in texts(figure)
         assert "crank_speed" not in texts(figure)
     assert "=" not in title.differences(crank)
-    assert "clearance = 0.1 mm" in texts(run.engine.model.draw(parameters={"clearance": "0.1 mm"}))
+    assert "clearance = 0.1 mm" in texts(Model(run.engine.model).draw(parameters={"clearance": "0.1 mm"}))
     monkeypatch.setattr(plot_panel, "differences", lambda _: "")
     assert said not in texts(run.plot())  # it is the title that tells
 

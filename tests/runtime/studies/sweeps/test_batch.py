@@ -39,7 +39,7 @@ def test_rows_are_the_single_runs_bitwise_in_order(ball, workers, compiled):
     assert recorded[-1] == 1
     for row, values in zip(sweep, sets, strict=True):
         run = simulate(ball, parameters=values, **SETTINGS)
-        assert row.engine.final == run.engine.final
+        assert row.final == run.engine.final
         assert row["impacts"] == len(run.impacts)
         assert row["peak_force"] == max(impact.peak_force for impact in run.impacts)
         assert (row["energy_residual"], row.warnings) == (run.energy_residual, run.warnings)
@@ -52,7 +52,7 @@ def test_compiled_rows_are_the_same(ball):
     sets = [{"drop_height": height} for height in HEIGHTS[:3]]
     machine, native = (simulate_many(ball, sets, compiled=compiled, **SETTINGS) for compiled in (False, True))
     assert (machine.compiled, native.compiled) == (False, True)
-    assert [row.engine.final for row in machine] == [row.engine.final for row in native]
+    assert [row.final for row in machine] == [row.final for row in native]
 
 
 @pytest.mark.parametrize("workers", [1, 2])

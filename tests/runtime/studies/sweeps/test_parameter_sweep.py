@@ -23,7 +23,7 @@ def test_rows_are_the_single_runs_bitwise(ball, workers):
     assert list(table["drop_height"]) == [0.5, 0.5, 1, 1, 1.5, 1.5]
     for row in table:
         run = simulate(ball, parameters={**row.stated}, compiled=False, **BALL)
-        assert row.engine.final == run.engine.final
+        assert row.final == run.engine.final
         assert row.stated["radius"] == (25.0, "mm")
 
 

@@ -112,7 +112,7 @@ def sampled(period, duration=0.1999, **given):
 
 def test_a_sample_that_is_due_at_the_end_of_a_run_is_taken():
     """Else it would be rounding that decides what the last command is."""
-    model = sampled(0.01, duration=0.05, tolerance=1e-6).model
+    model = sampled(0.01, duration=0.05, tolerance=1e-6).engine.model
     ways = [*product(("dop853", "dopri5", "esdirk"), (1e-4, 1e-6, 1e-10)), ("cvodes", 1e-6)]
     runs = [simulate(model, duration=0.05, method=method, tolerance=tolerance) for method, tolerance in ways]
     assert [run.statistics.events for run in runs] == [5] * len(ways)
