@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import cache
 from typing import Any
 
 from benchmarks import programs
 from benchmarks.bare import evaluations
-from benchmarks.contenders import PARAMETERS, handwritten, hertzwerk, model
-from benchmarks.equal_error import DURATION, TARGETS, Contender
-from benchmarks.ratios import Ratio, medians, seconds
+from benchmarks.equal_error import DURATION, TARGETS, Contender, absolute
+from benchmarks.ratios import Measurement, Ratio, hot, medians, seconds
+
+from reference.slider_crank import SliderCrank
 
 BARS = {2e-2: "<= 1.3", 2e-3: "<= 1.3", 5e-5: "<= 1.0", 1e-6: "<= 0.8"}  # issue 40: as C, with the energy ledger
 WITHOUT = {"C": "<= 1.3", "VM": "<= 12"}  # issue 4: without
@@ -17,6 +19,60 @@ SANE = (
     (2e-3, 10_000),
     (2e-6, 21_000),
 )  # issue 4, "Numbers": evaluations of the hand-written program for an error, frictionless
+
+PARAMETERS = {"crank_inertia": "1e-5 kg m^2"}  # its ledger alone depends on it
+STIFFNESS = f"power(K={SliderCrank().K!r} N/m^1.5, n=1.5)"  # 6.61e10, to the digits of the reference
+
+
+@cache
+def model(friction: bool, *, ledger: bool = False) -> Any:
+    """The slider-crank with a stiffness by number, no built-in scene; without the energy ledger unless requested."""
+    from hertzwerk.runtime.loading import engine_model
+
+    name = "slider_crank" if friction else "slider_crank_frictionless"
+    laws = {"slider_pin": f"{STIFFNESS} x lankarani_nikravesh"}
+    return engine_model(name, without=() if ledger else ("energy_ledger",), laws=laws)
+
+
+@cache
+def hertzwerk(method: str, *, compiled: bool, friction: bool, ledger: bool = False) -> Contender:
+    """simulate() of a loaded model, called again and again; its results do not depend on `compiled`."""
+    from hertzwerk.runtime import simulate
+
+    crank = model(friction, ledger=ledger)
+
+    def run(duration: float, tolerance: float) -> Any:
+        options = {"parameters": PARAMETERS, "method": method, "compiled": compiled}
+        return simulate(crank, duration=duration, tolerance=tolerance, **options)
+
+    def state(duration: float, tolerance: float) -> Sequence[float]:
+        found = run(duration, tolerance)
+        if not found.outcome.finished:
+            raise ArithmeticError(str(found.outcome))
+        return absolute(duration, [found[name][-1] for name in (*crank.coordinates, *crank.speeds)])
+
+    def time(tolerance: float) -> Measurement:
+        return hot(lambda: run(DURATION, tolerance), calls=25 if compiled else 7, warm=5 if compiled else 2)
+
+    return Contender(f"{method}, {'C' if compiled else 'VM'}", friction, state, time)
+
+
+@cache
+def handwritten(friction: bool) -> Contender:
+    """The hand-written program with its method of order 8, the cheaper one below an error of 1e-2."""
+
+    def state(duration: float, tolerance: float) -> Sequence[float]:
+        run = programs.handwritten("dop853", tolerance, friction=friction, times=(duration,))
+        return run["states"][0][1:]
+
+    def time(tolerance: float) -> Measurement:
+        def measure() -> float:
+            run = programs.handwritten("dop853", tolerance, friction=friction, times=(DURATION,), repeats=51)
+            return run["seconds"]
+
+        return measure
+
+    return Contender("C++", friction, state, time)
 
 
 def limit() -> Iterator[Ratio]:

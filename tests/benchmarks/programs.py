@@ -6,6 +6,7 @@ import json
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -35,7 +36,7 @@ def handwritten(
     tolerance: float,
     *,
     friction: bool,
-    times: tuple[float, ...],
+    times: Sequence[float],
     repeats: int = 0,
     clearance: float = 5e-4,
     real: str = "double",
@@ -60,8 +61,10 @@ def sundials() -> Path | None:
     return folder if COMPILER is not None and all((folder / name).is_file() for name in names) else None
 
 
-def cvode(formula: str, solver: str, tolerance: float, *, friction: bool, time: float, repeats: int = 0) -> Any:
-    """State [theta, x, theta', x'] at a time [s], numbers of impacts and evaluations, and the median time of `repeats` runs [s].
+def cvode(
+    formula: str, solver: str, tolerance: float, *, friction: bool, times: Sequence[float], repeats: int = 0
+) -> Any:
+    """States [theta, x, theta', x'] at times [s], onsets of impacts, evaluations, and the median time of `repeats` runs [s].
 
     formula "adams" or "bdf", solver "functional" or "newton". Raises ArithmeticError where CVODE gives up.
     """
@@ -70,7 +73,7 @@ def cvode(formula: str, solver: str, tolerance: float, *, friction: bool, time: 
         raise RuntimeError("CasADi's wheel has no CVODE to link to")
     flags = [f"-L{library}", "-lcasadi_integrator_cvodes", "-lcasadi_sundials_common", f"-Wl,-rpath,{library}"]
     program = _program("slider_crank_cvode.cpp", *flags)
-    numbers = [repr(float(tolerance)), str(int(friction)), str(repeats), repr(time)]
+    numbers = [repr(float(tolerance)), str(int(friction)), str(repeats), *map(repr, times)]
     try:
         return _json(program, formula, solver, *numbers)
     except (subprocess.CalledProcessError, subprocess.TimeoutExpired) as error:

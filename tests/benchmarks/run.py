@@ -3,7 +3,7 @@
     python tests/benchmarks/run.py [SECTION...]        (--help lists them)
 
 Every number is a median of at least five measurements that alternate between the sides. A ratio's bar is what the issues ask for: issue 2 ("Speed")
-in startup, engine and derivation, issue 5 ("Numbers") in chains and coordinates, issue 6 in nothing and honesty (which is no
+in startup and derivation, issue 5 ("Numbers") in chains and coordinates, issue 6 in nothing and honesty (which is no
 matter of time but of shares), issue 11 in auto, issue 13 in sweep, issue 15 in sensitivities, issue 36 in size, rows, minute and bodies,
 issue 38 in measured, issue 40 in overpaid, issues 4 and 40 in limit, issue 4 ("Numbers") in the others. Nothing here fails a test,
 for seconds depend on the machine.
@@ -23,11 +23,10 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1] / "runtime"))
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from benchmarks.against_peers import exudyn, peers
 from benchmarks.automatic import automatic
 from benchmarks.bodies import bodies
 from benchmarks.chains import chains
-from benchmarks.contenders import hertzwerk, scipy
+from benchmarks.derivation import derivation
 from benchmarks.derivatives import sensitivities
 from benchmarks.honesty import honesty
 from benchmarks.limit import limit
@@ -65,64 +64,11 @@ def startup() -> Iterator[Ratio]:
     yield Ratio("hertzwerk run slider_crank / import casadi, numpy", whole, least, "<= 5")
 
 
-# ---- engine ----------------------------------------------------------------------------------------------------------
-
-
-def engine() -> Iterator[Ratio]:
-    """simulate() of a loaded model against solve_ivp on the same functions: frictionless, two revolutions, equal error, no ledger on either side."""
-    peer = scipy("LSODA", False, compiled=False)
-    booked = hertzwerk("dop853", compiled=False, friction=False, ledger=True)
-    virtual, compiled = (hertzwerk("dop853", compiled=c, friction=False) for c in (False, True))
-    for target in (2e-3, 5e-5):
-        theirs, ours = peer.tolerance_for(target), virtual.tolerance_for(target)
-        if theirs is None or ours is None:
-            print(f"  error {target:g} not reached: LSODA {theirs}, hertzwerk {ours}")
-            continue
-        slow, vm, c, kept = medians(peer.time(theirs), virtual.time(ours), compiled.time(ours), booked.time(ours))
-        note = f"tolerances {theirs:.1e}, {ours:.1e}"
-        yield Ratio(f"{peer.name} / {virtual.name}, error {target:g}", slow, vm, ">= 15", note)
-        yield Ratio(f"{peer.name} / {compiled.name}, error {target:g}", slow, c, ">= 60", note)
-        yield Ratio(f"with / without the energy ledger, VM, error {target:g}", kept, vm, "", note)
-
-
-# ---- derivation ------------------------------------------------------------------------------------------------------
-
-
-def derivation() -> Iterator[Ratio]:
-    """Scene file to module text, audit included, against KanesMethod and cse; SymPy's cache emptied before each."""
-    import importlib.util
-    import runpy
-
-    from benchmarks.peers import kane_slider_crank
-    from sympy.core.cache import clear_cache
-
-    from hertzwerk.derive.equations.derivation import generate
-
-    spec = importlib.util.find_spec("hertzwerk.derive.scenes.slider_crank")
-    assert spec is not None and spec.origin is not None
-    origin = spec.origin
-
-    def ours() -> None:
-        clear_cache()
-        generate(runpy.run_path(origin)["scene"], "slider_crank")
-
-    def theirs() -> None:
-        clear_cache()
-        kane_slider_crank()
-
-    ours(), theirs()
-    mine, peer = medians(timed(ours), timed(theirs))
-    yield Ratio("derive slider_crank / sympy.physics.mechanics + cse", mine, peer, "<= 1")
-
-
 SECTIONS = {
     "startup": startup,
-    "engine": engine,
     "derivation": derivation,
     "chains": chains,
     "limit": limit,
-    "peers": peers,
-    "exudyn": exudyn,
     "implicit": implicit,
     "pairs": pairs,
     "auto": automatic,

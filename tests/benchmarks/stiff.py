@@ -8,8 +8,8 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from benchmarks import contenders
 from benchmarks.equal_error import crossing
+from benchmarks.limit import model as slider_crank
 from benchmarks.ratios import Measurement, Ratio, decades, hot, medians
 from benchmarks.stiff_scenes import incline
 
@@ -78,9 +78,7 @@ def cases() -> tuple[Case, ...]:
     return (
         Case("settling at restitution 0.01, 1 s", ball, 1.0, {"restitution": 0.01}),
         Case("block held on an incline, v_s = 1e-7, 2 s", incline(), 2.0, {}),
-        Case(
-            f"slider-crank, v_s = 1e-7, 4 ms, error {TARGET:g}", contenders.model(True), 4e-3, layer, equal_error=True
-        ),
+        Case(f"slider-crank, v_s = 1e-7, 4 ms, error {TARGET:g}", slider_crank(True), 4e-3, layer, equal_error=True),
         Case("one impact at restitution 0.9", ball, 0.6, {"restitution": 0.9}, pays=False),
     )
 

@@ -41,7 +41,7 @@ def integrate(problem: Any, times: np.ndarray, tolerance: float, longest: float)
     """
     t, y = REAL(0), problem.start.astype(REAL)
     size = np.maximum(np.abs(y), 1e-3)
-    on = np.array([gap < 0 for gap in problem.gaps(t, y, np)], dtype=int)
+    on = problem.memory.astype(REAL)
     states, onsets, h = [], [], REAL(longest) / 10
     for end in times:
         while t < end:
@@ -49,7 +49,7 @@ def integrate(problem: Any, times: np.ndarray, tolerance: float, longest: float)
             def f(t: Any, y: Any) -> Any:
                 return np.asarray(problem.rates(t, y, on, np), dtype=REAL)
 
-            cap = longest if on.any() else reach(problem, f(t, y), t, y, longest)
+            cap = longest if on[: problem.contacts].any() else reach(problem, f(t, y), t, y, longest)
             last = t + min(h, cap) >= end
             part = end - t if last else min(h, REAL(cap))
             new, wrong = step(f, t, y, part)
@@ -61,8 +61,11 @@ def integrate(problem: Any, times: np.ndarray, tolerance: float, longest: float)
             t, y = t + part, new
             size = np.maximum(size, np.abs(y))
             if changed is not None:
-                on[changed] = 1 - on[changed]
-                onsets += [t] * int(on[changed])
+                if on[changed]:
+                    on[changed] = 0
+                else:
+                    problem.onset(on, changed, t, y)
+                    onsets.append(t)
                 h = min(h, REAL(longest) / 10)
             else:
                 t = REAL(end) if last else t
@@ -85,7 +88,7 @@ def landed(
     problem: Any, f: Rates, t: Any, y: np.ndarray, h: Any, new: np.ndarray, on: np.ndarray
 ) -> tuple[Any, np.ndarray, int | None]:
     """Shorten a step to the first zero of a gap within it: its length, the state, and the contact that changes."""
-    sign = 1 - 2 * on
+    sign = 1 - 2 * on[: problem.contacts]
     after = np.asarray(problem.gaps(t + h, new, np)) * sign
     if not (after < 0).any():
         return h, new, None

@@ -41,7 +41,7 @@ COLUMNS = [
     "machine",
     "python",
 ]
-SHARE = 0.002  # of the budget that one call may take at most
+LONGEST = 0.25  # s; a call that takes longer ends the series of its integrator
 PART = 0.2  # of the budget that the first calls of one peer may take
 SHORT = 5e-3  # s; shorter calls are repeated within a round up to this time
 ROUNDS = 7
@@ -75,9 +75,11 @@ def used() -> float:
     return sum(os.times()[:4])
 
 
-def installed(peer: Any) -> bool:
-    """Whether the package of a peer is there."""
-    return find_spec(getattr(peer, "MODULE", peer.PACKAGE)) is not None
+def version(peer: Any) -> str:
+    """Return the version of a peer, of its package where it has no function for it; empty if it is missing."""
+    if hasattr(peer, "version"):
+        return peer.version()
+    return metadata.version(peer.PACKAGE) if find_spec(getattr(peer, "MODULE", peer.PACKAGE)) else ""
 
 
 def peers(names: tuple[str, ...] = PEERS) -> list[Any]:
@@ -88,13 +90,13 @@ def peers(names: tuple[str, ...] = PEERS) -> list[Any]:
 def measure(problem: Problem, chosen: list[Any], budget: float, rounds: int = ROUNDS) -> list[dict[str, Any]]:
     """Return rows of COLUMNS; a peer that is missing, fails or does not state the problem has one row that says so.
 
-    Every setting is called once, from loose to tight, until a call takes SHARE of the budget [s]. Then all are called in turn.
+    Every setting is called once, from loose to tight, until a call takes LONGEST. Then all are called in turn.
     """
     rows, found = [], []
     begin = used()
     for peer in chosen:
         first = used()
-        if not installed(peer):
+        if not version(peer):
             rows.append(row(problem, peer, outcome="missing: not installed"))
             continue
         stated = peer.settings(problem)
@@ -104,7 +106,7 @@ def measure(problem: Problem, chosen: list[Any], budget: float, rounds: int = RO
             if used() - first > budget * PART:
                 rows.append(row(problem, peer, integrator, outcome="not measured: the budget was used up"))
                 continue
-            for one in attempts(problem, peer, integrator, values, budget * SHARE):
+            for one in attempts(problem, peer, integrator, values, LONGEST):
                 if isinstance(one, Measured):
                     found.append(one)
                 else:
@@ -152,12 +154,11 @@ def row(
     problem: Problem, peer: Any, integrator: str = "", setting: float | str = "", outcome: str = "", **numbers: str
 ) -> dict[str, Any]:
     """Return one row; versions and state of the machine are in each."""
-    version = metadata.version(peer.PACKAGE) if installed(peer) else ""
     written = f"{setting:.2g}" if setting != "" else ""
     return dict.fromkeys(COLUMNS, "") | {
         "problem": problem.name,
         "peer": peer.NAME,
-        "version": version,
+        "version": version(peer),
         "integrator": integrator,
         "setting": written,
         "outcome": outcome,

@@ -34,11 +34,14 @@ class Problem:
     physics     the numbers, in SI, from which such a model is built
     start       state at time 0, coordinates first, then their rates
     grid        times at which solutions are compared [s]
-    rates       (t, y, on, m) -> dy/dt; on: 1 or 0 for each contact, m: namespace of sin, cos, sqrt ..
+    rates       (t, y, on, m) -> dy/dt; on: 1 or 0 for each contact, then what is latched; m: namespace of sin, cos, sqrt, where ..
     gaps        (t, y, m) -> gaps, one for each contact
     compared    number of coordinates that are compared, the first of the state
     unit        of the error
     longest     step of the reference [s], within which no contact begins and ends
+    weights     factors of the compared coordinates in an error
+    latched     (t, y) -> numbers that are kept from the onset of a contact
+    digits      () -> states of all coordinates on the grid and onsets, where they are known without integration
     remark      sentence for the page
     margin      samples of which a gap is smaller are omitted, as an impact is near
     """
@@ -58,6 +61,9 @@ class Problem:
     margin: float = 0.0
     targets: tuple[float, ...] = (1e-3, 1e-5, 1e-7, 1e-9)
     remark: str = ""
+    weights: Any = 1.0
+    latched: Callable[[Any, Any], np.ndarray] | None = None
+    digits: Callable[[], Result] | None = None
 
     @cached_property
     def reference(self) -> Result:
@@ -71,12 +77,29 @@ class Problem:
         return self.grid[self._clear]
 
     @cached_property
+    def memory(self) -> np.ndarray:
+        """What `on` has at the start, before any onset: a contact that overlaps is on, and nothing is latched."""
+        none = () if self.latched is None else np.zeros_like(self.latched(0.0, self.start))
+        return np.array([*(gap < 0 for gap in self.gaps(0.0, self.start, np)), *none], dtype=float)
+
+    def onset(self, on: np.ndarray, contact: int, t: float, y: np.ndarray) -> None:
+        """Switch a contact on, in `on`."""
+        on[contact] = 1
+        if self.latched is not None:
+            on[self.contacts :] = self.latched(t, y)
+
+    @cached_property
     def _solved(self) -> tuple[np.ndarray, np.ndarray]:
+        if self.digits is not None:
+            known = self.digits()
+            return known.states, known.impacts() if known.impacts else np.zeros(0)
         return integrate(self, self.grid, TOLERANCE, self.longest)
 
     @cached_property
     def _clear(self) -> np.ndarray:
         """Whether each time of the grid is a sample."""
+        if not self.margin:
+            return np.ones(len(self.grid), dtype=bool)
         gaps = [np.abs(self.gaps(t, y, np)).min() for t, y in zip(self.grid, self._solved[0], strict=True)]
         return (np.array(gaps) >= self.margin) | (self.grid == self.grid[-1])
 
@@ -86,8 +109,8 @@ class Problem:
         The latter is nan where the peer reports no impacts, and infinite where it has another number of them.
         """
         exact = exact or self.reference
-        error = float(np.abs(result.states - exact.states).max())
-        if result.impacts is None or exact.impacts is None:
+        error = float((np.abs(result.states - exact.states) * self.weights).max())
+        if result.impacts is None or exact.impacts is None or not self.contacts:
             return error, float("nan")
         found, true = np.sort(result.impacts()), np.sort(exact.impacts())
         if len(found) != len(true):

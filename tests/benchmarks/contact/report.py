@@ -141,8 +141,9 @@ The time is that of the call a user makes, after a warm-up. Building and compili
 Times are medians, and the peers alternate. References are in extended precision.
 
 Peers differ in what they take. SciPy and heyoka take equations that a person wrote, and have no search for contacts.
+C++ and CVODE are programs for one mechanism, and their time is that of the run within the program.
 The others take bodies.
-heyoka gains most where a force is a polynomial of the state, as the linear laws here are.
+heyoka gains most where a force is a polynomial of the state, as the laws of the balls and the cradle are.
 MuJoCo has its own law of contact, so it is compared with its own limit of small steps.
 A dash means that no call within the time limit of the benchmark reached the error.
 

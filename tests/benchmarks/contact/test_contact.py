@@ -1,14 +1,17 @@
 """The benchmark's own parts: references against second derivations, events, choices of the cheapest setting, and a run of two peers."""
 
+import dataclasses
 import importlib
 from functools import cache
 
 import numpy as np
 import pytest
+from benchmarks import programs
 from benchmarks.contact import measuring, problem, report
 from benchmarks.contact.problems import PROBLEMS
 from benchmarks.contact.problems.balls import Balls
 from benchmarks.contact.problems.balls import problem as balls
+from benchmarks.contact.problems.chains import chain
 
 ROW = {"peer": "A", "outcome": "finished", "integrator": "one"}
 
@@ -18,6 +21,12 @@ def bouncing(**numbers):
     """One ball, short enough for CI: two impacts."""
     physics = Balls(radius=0.1, places=((0.0, 0.0, 0.5),), **numbers)
     return balls("ball", "a ball", physics, np.linspace(0.1, 0.9, 9))
+
+
+def short_cradle():
+    """The cradle up to .1 s, before its first impact."""
+    cradle = PROBLEMS["cradle"]()
+    return dataclasses.replace(cradle, grid=cradle.grid[:2])
 
 
 def elastic(problem):
@@ -60,21 +69,71 @@ def test_a_reference_of_other_stiffness_is_found():
     assert min(other.errors(problem.Result(states, lambda: np.array(onsets)))) > 1e-9
 
 
-def test_two_peers_meet_the_reference_and_are_measured(tmp_path):
+SMALL = {
+    "balls": bouncing,
+    "cradle": lambda: short_cradle(),
+    "crank": PROBLEMS["crank"],
+    "chain": lambda: chain(2),
+}
+
+
+def test_every_kind_of_problem_has_a_small_one():
+    assert {problem().kind for problem in PROBLEMS.values()} == set(SMALL)
+
+
+@pytest.mark.parametrize("kind", SMALL)
+def test_the_runner_measures_every_kind_of_problem(kind, tmp_path, monkeypatch):
+    """With the peers that are always installed, one setting each."""
     some = measuring.peers(("scipy_ivp", "hertzwerk_run"))
-    rows, short = [], bouncing()
     for peer, integrator in zip(some, ("DOP853", "dop853"), strict=True):
-        rows += measuring.attempts(short, peer, integrator, (1e-5, 1e-8), 10)
-    assert [
-        one.error < limit and one.impact_error < limit for one, limit in zip(rows, (1e-3, 1e-6) * 2, strict=True)
-    ] == [True] * 4
-    assert all(one.times[0] > 0 for one in rows)
+        monkeypatch.setattr(peer, "settings", lambda problem, name=integrator: {name: (1e-9,)})
+    small = SMALL[kind]()
+    path = tmp_path / "rows.csv"
+    measuring.write(measuring.measure(small, some, 10, rounds=1), path)
+    rows = measuring.read(path)
+    assert [row["outcome"] for row in rows] == ["finished"] * 2
+    assert all(float(row["error"]) < 2e-6 and float(row["seconds"]) > 0 for row in rows)
+    assert all(float(row["impact_error"]) < 2e-6 for row in rows) == bool(small.contacts)
+    assert len(report.table(rows, (1e-5,))) == 5
+
+
+@pytest.mark.parametrize("name", ["crank", "crank_friction"])
+def test_the_equations_of_the_crank_are_those_of_the_digits(name):
+    """In flight and in contact, at states of the digits whose rod is moved onto the surface."""
+    crank = PROBLEMS[name]()
+    m = crank.physics
+    for t, state in zip(crank.grid, crank.digits().states, strict=True):
+        (gap,) = crank.gaps(t, state, np)
+        touching = gap < 0
+        v0 = 2.0 if touching else None
+        found = crank.rates(t, state, np.array([float(touching), 0.5]), np)
+        expected = m.accelerations(t, tuple(state), v0=v0, friction=m.friction)
+        assert found == pytest.approx([*state[2:], *expected], rel=1e-9, abs=1e-6)
+    assert any(crank.gaps(t, y, np)[0] < 0 for t, y in zip(crank.grid, crank.digits().states, strict=True))
+
+
+@pytest.mark.skipif(programs.COMPILER is None, reason="needs g++")
+@pytest.mark.parametrize(
+    ("name", "integrator", "limit"),
+    [
+        pytest.param("cpp_by_hand", "dop853", 1e-10, marks=pytest.mark.exhaustive),  # its compilation takes long
+        ("cvode_from_c", "adams newton", 1e-8),
+        ("cvode_from_c", "bdf newton", 1e-8),
+    ],
+)
+def test_programs_by_hand_meet_the_digits(name, integrator, limit):
+    (peer,) = measuring.peers((name,))
+    if not measuring.version(peer):
+        pytest.skip("needs the SUNDIALS of CasADi's wheel")
+    crank = PROBLEMS["crank_friction"]()
+    (one,) = measuring.attempts(crank, peer, integrator, (1e-12,), 10)
+    assert one.error < limit and one.impact_error < limit and one.times[0] > 0
 
 
 def test_peers_keep_the_protocol():
     """Each has a name and a package, and settings from loose to tight of every problem that it states."""
     for peer in measuring.peers():
-        assert peer.NAME and peer.PACKAGE and peer.__doc__
+        assert peer.NAME and (hasattr(peer, "version") or peer.PACKAGE) and peer.__doc__
         for name in PROBLEMS:
             for values in peer.settings(PROBLEMS[name]()).values():
                 assert list(values) == sorted(values, reverse=True)
@@ -103,6 +162,11 @@ def test_the_cheapest_setting_meets_the_error_with_all_tighter_ones(errors, expe
     rows = [{**ROW, "setting": f"1e-{k}", "error": error, "seconds": k} for k, error in enumerate(errors, start=1)]
     found = report.best(rows, 1e-3)
     assert (found and found.seconds) == expected
+
+
+def test_a_peer_that_reports_no_impacts_meets_no_error_of_them():
+    rows = [{**ROW, "setting": "1e-6", "error": 0.0, "impact_error": "nan", "seconds": 1}]
+    assert report.best(rows, 1e-3) and report.best(rows, 1e-3, column="impact_error") is None
 
 
 def test_the_page_is_that_of_the_results():

@@ -1,8 +1,8 @@
 // The slider-crank with clearance through SUNDIALS CVODE, called as one calls it from C: the right-hand sides of mechanism.hpp,
-// one per mode, the gap as root function, restarted at every root. It runs to TIME [s] from the start.
+// one per mode, the gap as root function, restarted at every root. It runs to each TIME [s] from the start.
 //
 //   g++ -O3 -march=native -std=c++17 slider_crank_cvode.cpp -L CASADI -lcasadi_integrator_cvodes -lcasadi_sundials_common
-//   ./a.out FORMULA SOLVER TOLERANCE FRICTION REPEATS TIME     FORMULA: adams | bdf, SOLVER: functional | newton, FRICTION: 0 | 1
+//   ./a.out FORMULA SOLVER TOLERANCE FRICTION REPEATS TIME...     FORMULA: adams | bdf, SOLVER: functional | newton, FRICTION: 0 | 1
 //
 // Prints one JSON object in SI units. TOLERANCE is as in slider_crank.cpp: local errors in the scene's scales. The library
 // is the one inside CasADi's wheel, SUNDIALS 2.6 with serial vectors and double precision. CasADi ships no headers, so what is used
@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <vector>
 
 #include "mechanism.hpp"
 #include "stopwatch.hpp"
@@ -71,7 +72,7 @@ class Simulation {
       if (mode == Mode::Flight) {
         const double v0 = std::max(-m.template at<Friction>(mode, t, y, 0).dG, m.approach_floor);
         h_per_v0 = m.h / v0;
-        ++impacts;
+        impacts.push_back(t);
         enter(Mode::Contact);
       } else {
         enter(Mode::Flight);
@@ -83,7 +84,7 @@ class Simulation {
 
   State<double> y;
   long evaluations = 0;
-  int impacts = 0;
+  std::vector<double> impacts;
 
  private:
   const Mechanism<double>& m;
@@ -126,23 +127,32 @@ class Simulation {
 };
 
 template <bool Friction>
-void run(int formula, int solver, double tolerance, int repeats, double t_end) {
+void run(int formula, int solver, double tolerance, int repeats, const std::vector<double>& times) {
   const Mechanism<double> mechanism(5e-4);
-  const double seconds =
-      median_seconds(repeats, [&] { Simulation<Friction>(mechanism, tolerance, formula, solver).advance(t_end); });
+  const double seconds = median_seconds(repeats, [&] {
+    Simulation<Friction> s(mechanism, tolerance, formula, solver);
+    for (const double t : times) s.advance(t);
+  });
   Simulation<Friction> s(mechanism, tolerance, formula, solver);
-  s.advance(t_end);
-  std::printf("{\"state\": [%.17g, %.17g, %.17g, %.17g], \"impacts\": %d, \"evaluations\": %ld, \"seconds\": %.9g}\n", s.y[0],
-              s.y[1], s.y[2], s.y[3], s.impacts, s.evaluations, seconds);
+  std::printf("{\"states\": [");
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    s.advance(times[i]);
+    std::printf("%s[%.17g, %.17g, %.17g, %.17g]", i ? ", " : "", s.y[0], s.y[1], s.y[2], s.y[3]);
+  }
+  std::printf("], \"impacts\": [");
+  for (std::size_t i = 0; i < s.impacts.size(); ++i) std::printf("%s%.17g", i ? ", " : "", s.impacts[i]);
+  std::printf("], \"evaluations\": %ld, \"seconds\": %.9g}\n", s.evaluations, seconds);
 }
 
 int main(int count, char** arg) {
-  const bool bdf = count == 7 && !std::strcmp(arg[1], "bdf"), newton = count == 7 && !std::strcmp(arg[2], "newton");
-  if (count != 7 || (!bdf && std::strcmp(arg[1], "adams")) || (!newton && std::strcmp(arg[2], "functional"))) {
-    return std::fputs("usage: slider_crank_cvode adams|bdf functional|newton TOLERANCE FRICTION REPEATS TIME\n", stderr), 2;
+  const bool bdf = count > 6 && !std::strcmp(arg[1], "bdf"), newton = count > 6 && !std::strcmp(arg[2], "newton");
+  if (count < 7 || (!bdf && std::strcmp(arg[1], "adams")) || (!newton && std::strcmp(arg[2], "functional"))) {
+    return std::fputs("usage: slider_crank_cvode adams|bdf functional|newton TOLERANCE FRICTION REPEATS TIME...\n", stderr), 2;
   }
   const int formula = bdf ? BDF : ADAMS, solver = newton ? NEWTON : FUNCTIONAL, repeats = std::atoi(arg[5]);
-  const double tolerance = std::atof(arg[3]), t_end = std::atof(arg[6]);
-  std::atoi(arg[4]) ? run<true>(formula, solver, tolerance, repeats, t_end)
-                    : run<false>(formula, solver, tolerance, repeats, t_end);
+  const double tolerance = std::atof(arg[3]);
+  std::vector<double> times;
+  for (int i = 6; i < count; ++i) times.push_back(std::atof(arg[i]));
+  std::atoi(arg[4]) ? run<true>(formula, solver, tolerance, repeats, times)
+                    : run<false>(formula, solver, tolerance, repeats, times);
 }

@@ -117,7 +117,28 @@ def cradle(plant: Any, physics: Any) -> Model:
     return Model(begin, lambda context: [joint.get_angle(context) for joint in joints])
 
 
-MODELS: dict[str, Callable[[Any, Any], Model]] = {"balls": balls, "cradle": cradle}
+def chain(plant: Any, physics: Any) -> Model:
+    """Return the rods of a chain in the plane of x and z."""
+    import pydrake.all as pd
+
+    end = pd.RigidTransform([physics.length, 0, 0])
+    inertia = pd.SpatialInertia.ThinRodWithMass(physics.mass, physics.length, [1, 0, 0]).Shift(
+        [-physics.length / 2, 0, 0]
+    )
+    joints, upper = [], plant.world_frame()
+    for i in range(physics.links):
+        body = plant.AddRigidBody(f"rod_{i}", inertia)
+        joints.append(plant.AddJoint(pd.RevoluteJoint(f"joint_{i}", upper, body.body_frame(), [0, -1, 0])))
+        upper = plant.AddFrame(pd.FixedOffsetFrame(f"end_{i}", body.body_frame(), end))
+
+    def begin(context: Any) -> None:
+        for joint in joints:
+            joint.set_angle(context, 0.0)
+
+    return Model(begin, lambda context: np.cumsum([joint.get_angle(context) for joint in joints]).tolist())
+
+
+MODELS: dict[str, Callable[[Any, Any], Model]] = {"balls": balls, "cradle": cradle, "chain": chain}
 
 
 def prepare(problem: Problem, integrator: str, setting: float) -> Callable[[], Result]:

@@ -24,6 +24,8 @@ class Symbols:
     def __getattr__(self, name: str) -> Any:
         import heyoka
 
+        if name == "where":
+            return lambda on, yes, no: heyoka.select(heyoka.gt(on, heyoka.expression(0.0)), yes, heyoka.expression(no))
         return np.frompyfunc(getattr(heyoka, name), 1, 1)
 
 
@@ -33,15 +35,17 @@ def prepare(problem: Problem, integrator: str, setting: float) -> Callable[[], R
 
     names = [f"y{i}" for i in range(len(problem.start))]
     y = np.array([hy.expression(name) for name in names], dtype=object)
-    on = np.array([hy.par[i] for i in range(problem.contacts)], dtype=object)
+    on = np.array([hy.par[i] for i in range(len(problem.memory))], dtype=object)
     rates = problem.rates(hy.time, y, on, Symbols())
     onsets: list[float] = []
 
     def switch(i: int) -> Callable[[Any, int], bool]:
         def callback(integrator: Any, direction: int) -> bool:
-            integrator.pars[i] = float(direction < 0)
             if direction < 0:
+                problem.onset(integrator.pars, i, integrator.time, integrator.state)
                 onsets.append(integrator.time)
+            else:
+                integrator.pars[i] = 0.0
             return True
 
         return callback
@@ -50,15 +54,20 @@ def prepare(problem: Problem, integrator: str, setting: float) -> Callable[[], R
     events = [hy.t_event(gap, callback=switch(i)) for i, gap in enumerate(gaps)]
     system = [(hy.expression(name), rate) for name, rate in zip(names, rates, strict=True)]
     taylor = hy.taylor_adaptive(
-        system, list(problem.start), pars=[0.0] * problem.contacts, t_events=events, tol=setting
+        system,
+        list(problem.start),
+        pars=list(problem.memory),
+        t_events=events,
+        tol=setting,
+        compact_mode=problem.kind == "chain",
     )
-    begins = np.array([value < 0 for value in problem.gaps(0.0, problem.start, np)], dtype=float)
     times = np.concatenate(([0.0], problem.times))
 
     def run() -> Result:
         onsets.clear()
-        taylor.time, taylor.state[:], taylor.pars[:] = 0.0, problem.start, begins
-        taylor.reset_cooldowns()
+        taylor.time, taylor.state[:], taylor.pars[:] = 0.0, problem.start, problem.memory
+        if events:
+            taylor.reset_cooldowns()
         outcome, *_, states = taylor.propagate_grid(times)
         if outcome != hy.taylor_outcome.time_limit:
             raise ArithmeticError(str(outcome))

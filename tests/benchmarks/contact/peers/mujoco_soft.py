@@ -1,4 +1,4 @@
-"""MuJoCo: its soft law of contact, which none of the problems has, measured against its own limit of small steps.
+"""MuJoCo: its soft law of contact, which none of the problems has, measured against its own limit of small steps; chains against the reference.
 
 Stiffness and damping per mass are given directly (negative `solref`), as its pages on solver parameters explain, with a constant impedance.
 """
@@ -22,15 +22,17 @@ LARGEST = 12  # balls: the limit of more takes minutes
 
 def settings(problem: Problem) -> dict[str, Sequence[float]]:
     """Return steps [s]."""
+    if problem.kind == "chain":
+        return dict.fromkeys(INTEGRATORS, decades(2, 5, 2))
     if problem.kind not in WORLDS or len(problem.start) > 2 * LARGEST:
         return {}
     return dict.fromkeys(INTEGRATORS, decades(2, 4, 3))
 
 
 @cache
-def limit(problem: Problem) -> Result:
-    """Return the solution of the smallest step."""
-    return prepare(problem, "RK4", LIMIT)()
+def limit(problem: Problem) -> Result | None:
+    """Return the solution of the smallest step; None where no contact makes the physics differ."""
+    return None if not problem.contacts else prepare(problem, "RK4", LIMIT)()
 
 
 def balls(numbers: Any) -> tuple[str, slice]:
@@ -61,7 +63,16 @@ def material(numbers: Any, damping: float) -> str:
     return f'solref="{-numbers.stiffness / numbers.mass} {-damping}" solimp="0.9 0.9 0.001" condim="1"'
 
 
-WORLDS: dict[str, Callable[[Any], tuple[str, slice]]] = {"balls": balls, "cradle": cradle}
+def chain(numbers: Any) -> tuple[str, slice]:
+    """Return the rods in the plane of x and z, and their angles against each other."""
+    a, m = numbers.length, numbers.mass
+    inertia = m * a * a / 12
+    rod = f'<joint type="hinge" axis="0 -1 0"/><inertial pos="{a / 2} 0 0" mass="{m}" diaginertia="1e-9 {inertia} {inertia}"/>'
+    bodies = "".join(f'<body pos="{a if i else 0} 0 0">{rod}' for i in range(numbers.links))
+    return bodies + "</body>" * numbers.links, slice(None)
+
+
+WORLDS: dict[str, Callable[[Any], tuple[str, slice]]] = {"balls": balls, "cradle": cradle, "chain": chain}
 
 
 def prepare(problem: Problem, integrator: str, setting: float) -> Callable[[], Result]:
@@ -89,6 +100,6 @@ def prepare(problem: Problem, integrator: str, setting: float) -> Callable[[], R
             mujoco.mj_step(model, data, nstep=(place - at) * steps)
             at = place
             states.append(data.qpos[coordinates].copy())
-        return Result(np.array(states))
+        return Result(np.cumsum(states, axis=1) if problem.kind == "chain" else np.array(states))
 
     return run
