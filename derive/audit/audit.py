@@ -27,8 +27,8 @@ class Finding:
     """Result of the audit for one expression.
 
     `verdict` is consistent, inconsistent, outside_si (inconsistent, but the law names the units it was fitted in),
-    unchecked (inconsistent, run on purpose), or advice: the units are consistent, and `reason` is another objection
-    to the law.
+    unchecked (inconsistent, run on purpose), refused (a start from which no run begins), or advice: the units are
+    consistent, and `reason` is another objection to the law.
     """
 
     effect: str
@@ -49,7 +49,7 @@ class Finding:
     grade: str = ""
     """Reliability of the law's formula, A to C; R is a reconstruction."""
     kind: str = ""
-    """Kind of the law (stiffness, damping, friction), or expression, program, form of contact, frequency."""
+    """Kind of the law (stiffness, damping, friction), or expression, program, form of contact, frequency, start."""
     advice: str = ""
     """Doubt of a consistent expression that units cannot show: a frequency taken as an angular speed."""
 

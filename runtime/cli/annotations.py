@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 RULES = {  # level, and what it is
     "inconsistent-units": ("error", "Units that do not agree"),
+    "start": ("error", "A start from which no run begins"),
     "advice": ("warning", "A law or an expression to be looked at, whose units agree"),
     "input": ("error", "A file that cannot be audited"),
 }
@@ -47,7 +48,7 @@ def remarks(audited: Mapping[str, Sequence[Finding]]) -> Iterator[Remark]:
                 finding.reason if finding.verdict == "advice" else finding.advice if finding.sound else finding.sentence
             )
             if text:
-                rule = "advice" if finding.sound else "inconsistent-units"
+                rule = "advice" if finding.sound else "start" if finding.kind == "start" else "inconsistent-units"
                 title = ", ".join(filter(None, (finding.effect, finding.quantity)))
                 yield Remark(rule, title, text, file, _line(file, (finding.effect, finding.law), finding.quantity))
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import tomllib
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -52,12 +52,16 @@ def audit_path(path: str | Path) -> Findings:
     return Findings(finding for findings in audit_files(path).values() for finding in findings)
 
 
-def audit_files(path: str | Path) -> dict[Path, tuple[Finding, ...]]:
+def audit_files(
+    path: str | Path, whole: Callable[[Scene], Iterable[Finding]] = audit_scene
+) -> dict[Path, tuple[Finding, ...]]:
     """Findings by file, on a file or on every file of a folder that has scenes or laws.
 
     In a folder, Python files are parsed first, and executed only if they import hertzwerk and define `scene` or make
     a law; a file given by name is executed. Raises InputError with the faults of all files, and where there is
     nothing to audit.
+
+    whole    audits a scene
     """
     path = Path(path)
     files = list(_files(path)) if path.is_dir() else [path]
@@ -68,7 +72,7 @@ def audit_files(path: str | Path) -> dict[Path, tuple[Finding, ...]]:
     faults: list[Fault] = []
     for file in files:
         try:
-            findings[file] = audit_laws_as_written(file) if file.suffix == ".toml" else _audit_python(file)
+            findings[file] = audit_laws_as_written(file) if file.suffix == ".toml" else _audit_python(file, whole)
         except InputError as error:
             if len(files) == 1:
                 raise
@@ -77,7 +81,7 @@ def audit_files(path: str | Path) -> dict[Path, tuple[Finding, ...]]:
     return findings
 
 
-def _audit_python(file: Path) -> tuple[Finding, ...]:
+def _audit_python(file: Path, whole: Callable[[Scene], Iterable[Finding]]) -> tuple[Finding, ...]:
     """Audit the laws made by a Python file, then its scenes."""
     refuse_generated(file)
     names = names_defined_by(file)
@@ -90,7 +94,7 @@ def _audit_python(file: Path) -> tuple[Finding, ...]:
         raise InputError(str(file), [Fault(str(file), "neither a scene nor a law", expected, sympy_remedy(names))])
     findings = [finding for law in laws for finding in audit_law(law)]
     refuse(str(file), [fault for law in laws for fault in faults_if_consistent(law)])
-    return (*findings, *(finding for scene in scenes for finding in audit_scene(scene)))
+    return (*findings, *(finding for scene in scenes for finding in whole(scene)))
 
 
 def _files(folder: Path) -> Iterator[Path]:

@@ -1,4 +1,4 @@
-"""`hertzwerk audit`: units of scenes, files, folders, the catalogue of laws, or one expression."""
+"""`hertzwerk audit`: units and starts of scenes, files, folders; the laws; one expression."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from hertzwerk.runtime.cli.terminal import BAD_INPUT, GOOD, OTHER_OUTCOME, Progr
 
 if TYPE_CHECKING:
     from hertzwerk.derive.audit.audit import Finding
+    from hertzwerk.derive.declare.scene.scene import Scene
 
 
 @click.command(epilog='Example: hertzwerk audit --expr "K*d**n" --unit K=N/m^1.5 --unit d=m --value n=1.1 --expect N')
@@ -49,8 +50,8 @@ def audit(
 ) -> int:
     """Check the units of scenes, files, laws or one expression.
 
-    Exit code 0: consistent, 1: inconsistent, 2: bad input. SCENE is a built-in scene, FILE a Python or TOML file of
-    scenes or laws, FOLDER a folder of them. The start is not checked here; `hertzwerk draw` assembles it.
+    Exit code 0: consistent, 1: inconsistent, or a start from which no run begins, 2: bad input. SCENE is a built-in
+    scene, FILE a Python or TOML file of scenes or laws, FOLDER a folder of them.
     """
     _must_name_one(
         targets, laws, expr, stray=bool(units or values or expect), alone=bool(form and (as_json or not targets))
@@ -63,7 +64,7 @@ def audit(
 
     try:
         with Progress("audit", shown=form is None and not as_json) as progress:
-            audited = audit_targets(progress.over(targets))
+            audited = audit_targets(progress.over(targets), _start_faults)
     except InputError as error:
         if form is None:
             raise
@@ -79,6 +80,20 @@ def audit(
             click.echo(f"{target}:")
         _report(group)
     return GOOD if all(finding.sound for finding in findings) else OTHER_OUTCOME
+
+
+def _start_faults(target: str | Scene) -> Sequence[Fault]:
+    """Return what a run with the values of the scene would refuse at its start."""
+    from hertzwerk.runtime.engine.start.separation import overlaps
+    from hertzwerk.runtime.engine.start.start_values import start_of
+    from hertzwerk.runtime.loading import engine_model
+
+    try:
+        model = engine_model(target)
+        bound, q, u = start_of(model, {}, {})
+    except InputError as error:
+        return error.faults
+    return overlaps(model, bound, {}, q, u)[0]
 
 
 def _must_name_one(targets: Sequence[str], laws: bool, expr: str | None, *, stray: bool, alone: bool) -> None:
@@ -136,7 +151,7 @@ def _report(every: Sequence[Finding]) -> None:
     findings = [finding for finding in every if finding.verdict != "advice"]
     rows = [
         (f.verdict, ", ".join(filter(None, (f.effect, f.quantity))), f.law,
-         f.found if f.found == f.expected else f"{f.found}, not {f.expected}")
+         "" if f.kind == "start" else f.found if f.found == f.expected else f"{f.found}, not {f.expected}")
         for f in findings
     ]  # fmt: skip
     if rows:
@@ -146,6 +161,9 @@ def _report(every: Sequence[Finding]) -> None:
         click.echo(f"\n{finding}")
     if faulty:
         click.echo()
+    if faulty and all(finding.kind == "start" for finding in faulty):
+        line("refused", "no run begins from this start; the units are consistent")
+    elif faulty:
         line("inconsistent", f"{len(faulty)} of {len(findings)} findings; an inconsistent scene is not derived")
     else:
         laws = f"{len(findings)} law expression{'s' if len(findings) != 1 else ''}"

@@ -263,20 +263,37 @@ def sympy_file(scene: Scene, values: Mapping[str, tuple[float, str]]) -> str:
     return python_file(to_sympy(scene), scene.name, values)
 
 
-def audit_targets(targets: Iterable[str]) -> dict[str, tuple[Finding, ...]]:
+def audit_targets(
+    targets: Iterable[str], start_faults: Callable[[str | Scene], Iterable[Fault]]
+) -> dict[str, tuple[Finding, ...]]:
     """Return findings on built-in scenes, files and folders, by target or file.
 
     Raises InputError where one is unsound.
+
+    start_faults    of the start of a scene, or of a built-in one by name; added where units are consistent
     """
+    from hertzwerk.derive.audit.audit import Finding
     from hertzwerk.derive.equations.derivation import audit_scene
     from hertzwerk.derive.exchange.user_files.audit_files import audit_files
+
+    def whole(scene: Scene, name: str = "") -> tuple[Finding, ...]:
+        findings = audit_scene(scene)
+        faults = start_faults(name or scene) if all(finding.sound for finding in findings) else ()
+        refused = (
+            Finding(
+                "", fault.where, "", "", "", "refused", "", found=fault.found, expected=fault.expected, kind="start",
+                reason=f"{fault.where}: found {fault.found}; expected {fault.expected}", repair=fault.remedy or None,
+            )
+            for fault in faults
+        )  # fmt: skip
+        return *findings, *refused
 
     audited: dict[str, tuple[Finding, ...]] = {}
     for target in targets:
         if target in built_in_scenes() or split_target(target)[1]:
-            audited[target] = audit_scene(scene_from(target))
+            audited[target] = whole(scene_from(target), target if target in built_in_scenes() else "")
         elif is_file(target) or target.endswith(".toml") or Path(target).is_dir():
-            audited.update((str(path), findings) for path, findings in audit_files(Path(target)).items())
+            audited.update((str(path), findings) for path, findings in audit_files(Path(target), whole).items())
         else:
             require_targets([target])
     return audited

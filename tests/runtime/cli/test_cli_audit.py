@@ -100,3 +100,41 @@ def test_a_scene_without_laws_has_its_program_audited(hertzwerk):
 )
 def test_bad_input_exits_2(hertzwerk, arguments):
     assert hertzwerk("audit", *arguments).exit_code == 2
+
+
+PENDULUM = """
+from hertzwerk.derive import GROUND, Body, Contact, Mechanism, Parameter, PinInBush, Planar, Revolute, Scales, Scene, Start, Z, laws
+
+length, clearance, mass = Parameter("length", "mm", 200), Parameter("clearance", "mm", 0.1), Parameter("mass", "kg", 1)
+upper, lower = (Body(name, mass, mass * length**2) for name in ("upper", "lower"))
+elbow = PinInBush("elbow", upper.at(0, -length, 0), lower.at(0, 0, 0), Z, Parameter("bush", "mm", 8), clearance)
+joints = Revolute("shoulder", GROUND, upper, Z), Planar("plane", GROUND, lower)
+scene = Scene(
+    Mechanism("loose", joints, (elbow,)),
+    (Contact("elbow", laws.power(Parameter("K", "N/m", 1e7), n=1)),),
+    Scales(clearance, Parameter("pace", "m/s", 1), arm=length),
+    Start({start}),
+)
+"""
+
+
+@pytest.mark.parametrize(
+    ("start", "found"),
+    [
+        ("", "start, positions: found under-determined: shoulder.angle, plane.x; expected 1 more value among them"),
+        ('{"shoulder": Parameter("at", "deg", 20)}', None),
+    ],
+)
+def test_a_start_from_which_no_run_begins_is_a_finding(hertzwerk, tmp_path, start, found):
+    """With free positions the audit stated `consistent`, and the run was refused."""
+    (tmp_path / "loose.py").write_text(PENDULUM.replace("{start}", start))
+    said = hertzwerk("audit", "loose.py")
+    assert said.exit_code == (0 if found is None else 1)
+    assert (found or "every assignment") in said.output
+    record = json.loads(hertzwerk("audit", "loose.py", "--json").output)["findings"][-1]
+    assert (record["verdict"], record["kind"]) == (
+        ("consistent", "stiffness") if found is None else ("refused", "start")
+    )
+    if start == "":
+        assert "in the scene's Start, or `initial`" in said.output
+        assert "::error file=loose.py" in hertzwerk("audit", "loose.py", "--format", "github").output
