@@ -341,6 +341,14 @@ def test_rounding_that_two_runs_share_by_chance_is_found_out_where_it_dominates_
     assert (len(log) == 3) is met
 
 
+def test_rounding_in_the_tighter_run_calls_for_a_third_before_it_dominates():
+    """Body 689 at 1e-8: of two runs with nearly one error, 1.25 times the request, a third of the tighter one's is rounding."""
+    off = {1: 1.25e-8, 1 / CHECK: 1.08e-8, 1 / CHECK**2: 1e-9}
+    ladder_result, log = of_rounding(off, 2.57e-13, 1e-8, 1e-11)
+    assert log[:3] == [1, 1 / CHECK, 1 / CHECK**2]
+    assert ladder_result.run.tolerance < 1e-11
+
+
 @pytest.mark.parametrize(("off", "verdict"), [(2.4e-9, Verdict.MET), (6e-9, Verdict.UNREACHABLE)])
 def test_rounding_of_independent_runs_is_not_taken_for_several_times_as_much(off, verdict):
     """By the tighter run alone the error could be 6 times their difference; three runs differ by no more, or one by twice that."""
