@@ -55,7 +55,7 @@ def engine_for(
     poll: called meanwhile. Raises InputError without a compiler, and what `poll` raises.
     """
     engine = _engine(model, method)
-    if compiled is True and engine.code is not None:
+    if compiled is True and engine.code is not None and (engine.reduced or engine.code.native is None):
         from hertzwerk.runtime.engine.integration.loop.c_compilation import NoCompilerError, require_compiler
 
         try:

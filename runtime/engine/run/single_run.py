@@ -218,7 +218,7 @@ class SingleRun:
         for name, value in numbers.items():
             controls[layout[name]] = value
         state = self._initial_state(controls) if self.start is None else self.start.state.copy()
-        for name in ("h", "h_flight", "h_contact"):
+        for name in ("h", "h_flight", "h_contact") if shorter != 1 else ():
             state[integrator.layouts.state[name]] *= shorter
         loop = self.engine.march if self.provider is None else partial(self.engine.march, self.provider, integrator)
         if self.start is not None:

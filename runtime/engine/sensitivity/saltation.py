@@ -32,7 +32,7 @@ from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.sensitivity.step_chain import along, methods_of
 from hertzwerk.runtime.engine.sensitivity.tangent import ARGUMENTS, PARTS, Directions, Tangent, rowwise, tangent
-from hertzwerk.runtime.engine.solution.history import History, part_of_step
+from hertzwerk.runtime.engine.solution.history import History, steps_of
 from hertzwerk.runtime.system.lazy import cached_property
 
 GUARDS = ("gap", "gap_rate", "force", "margin", "event")
@@ -256,7 +256,7 @@ def _stopping(history: History, index: np.ndarray) -> np.ndarray:
 def tables_of_events(history: History, count: int) -> list[Rowwise]:
     """Return the functions that `events_of` calls row by row."""
     model = history.model
-    steps = [part_of_step(model, history.engine, method) for method in methods_of(history)]
+    steps = [step for method in methods_of(history) for step in steps_of(model, history.engine, method)]
     return [rowwise(model, watched, count), _rates(model), *steps]
 
 

@@ -14,7 +14,7 @@ from hertzwerk.runtime.engine.integration.loop.near_list import Departures
 from hertzwerk.runtime.engine.integration.loop.near_rows import NearRows, places
 from hertzwerk.runtime.engine.integration.loop.reduced_rows import Rows
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import APART, NearModel
-from hertzwerk.runtime.engine.integration.step.contact_classes import contact_classes, contacts_at
+from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE, Contacts, contact_classes, contacts_at
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, ENERGY_PARTS, FLIGHT
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips_of, groups_of, turns
@@ -29,6 +29,7 @@ _HELD_BY = {  # ending of a constraint's name -> that of the force which holds i
     **{"apart": "force", "off": "force", "turned": "moment", "gap": "normal_force"},
     **{"sliding_velocity": "friction_force", "side_velocity": "side_force", "rate": "force"},
 }
+FLIES_OR_NOT: tuple[Contacts, ...] = (), BY_MODE  # classes between rows: of each contact alone there would be many
 COMPARED = "t", "y", "dy", "force", "force_rate"  # parts of the rows by which two runs are compared
 _PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal_force": "N"}
 
@@ -336,11 +337,11 @@ class History(Histories):
         t = self.part("t")[:, 0]
         if not self.steps:
             return self._rows_at(times)
-        if times.ndim != 1 or not np.all((times >= t[0]) & (times <= t[-1])):
+        if times.ndim != 1 or not (times.min(initial=t[0]) >= t[0] and times.max(initial=t[-1]) <= t[-1]):
             raise ValueError(
                 f"found times outside the run, or not in one row; expected them within {t[0]:g}..{t[-1]:g} s"
             )
-        index = np.searchsorted(t, times, side="right") - 1
+        index = t.searchsorted(times, side="right") - 1
         history = self.between(index, times - t[index], compared=compared)
         history.part("t")[:, 0] = times  # not t + (time - t), which may differ in the last digit
         return history
@@ -369,7 +370,7 @@ class History(Histories):
             after = self.rows[index[behind] + 1]
             for part in ("mode", "m", "method"):  # that were those of the step, and may have changed at its end
                 after[:, self.columns(part)] = rows[behind][:, self.columns(part)]
-            to, _ = _in_trial(self.model, self.engine)
+            to = _columns(self.model, self.engine, self.engine.layouts.shared)
             back = self.t[index[behind]] + h[behind] - self.t[index[behind] + 1]
             rows[behind[:, None], to] = self.later(after, back, compared=compared)[:, to]
         return self.of(rows)
@@ -383,13 +384,17 @@ class History(Histories):
         moving = np.flatnonzero(h)
         if not len(moving):
             return later
+        before, model = rows[moving], self.engine.model
+        mode, parts, classes = before[:, self.columns("mode")], self.engine.layouts.shared, FLIES_OR_NOT
+        places = (mode != FLIGHT).any(axis=1)
         if compared:
-            to = np.concatenate([np.arange(self.engine.layouts.state.size)[self.columns(part)] for part in COMPARED])
-            values = self.by_method(compared_part_of_step, rows[moving], h[moving, None], by_contacts=True)
-        else:
-            to, of = _in_trial(self.model, self.engine)
-            values = self.by_method(part_of_step, rows[moving], h[moving, None])[:, of]
-        later[moving[:, None], to] = values
+            parts, classes, places = COMPARED, contact_classes(model), contacts_at(model, mode)
+
+        def step(model: EngineModel, engine: Integrator, number: int) -> Rowwise:
+            return part_of_step(model, engine, number, classes, parts)
+
+        values = self.by_method(step, before, h[moving, None], classes=(len(classes), places))
+        later[moving[:, None], _columns(self.model, self.engine, parts)] = values
         return later
 
     def by_method(
@@ -398,18 +403,16 @@ class History(Histories):
         rows: np.ndarray,
         *tables: np.ndarray,
         controls: np.ndarray | None = None,
-        by_contacts: bool = False,
+        classes: tuple[int, np.ndarray | int] = (1, 0),
     ) -> np.ndarray:
         """Return results (n, size) of a function of rows (n, ns), each by that row's method.
 
         function    returns (controls, state, *tables) -> result for a method
         controls    of each row (n, size), for rows of several runs; else those of this one
-        by_contacts    whether numbers of methods count classes of contacts as well, see `compared_part_of_step`
+        classes    number of classes of contacts of each method, and the class of each row: the function's number counts both
         """
-        methods = rows[:, self.columns("method")][:, 0]
-        if by_contacts:
-            contacts = contacts_at(self.engine.model, rows[:, self.columns("mode")])
-            methods = methods * len(contact_classes(self.engine.model)) + contacts
+        count, places = classes
+        methods = rows[:, self.columns("method")][:, 0] * count + places
         if (methods == methods[:1]).all():
             constants = self.controls if controls is None else controls
             return function(self.model, self.engine, int(methods[0]))(constants, rows, *tables)[0]
@@ -506,29 +509,28 @@ def _output_rates(model: EngineModel) -> Rowwise:
 
 
 @per_model
-def part_of_step(_: EngineModel, integrator: Integrator, method: int) -> Rowwise:
-    """Return the function (state, controls, h) -> trial of a step of a method."""
-    return Rowwise(integrator.step(method), constant=1)
-
-
-@per_model
-def compared_part_of_step(_: EngineModel, integrator: Integrator, number: int) -> Rowwise:
-    """Return the function (state, controls, h) -> parts COMPARED of a step.
+def part_of_step(
+    _: EngineModel, integrator: Integrator, number: int, classes: tuple[Contacts, ...], parts: tuple[str, ...]
+) -> Rowwise:
+    """Return the function (state, controls, h) -> parts of a step.
 
     The number counts the classes of contacts of one method after another.
     """
-    classes = contact_classes(integrator.model)
     method, contacts = divmod(number, len(classes))
-    return Rowwise(integrator.step(method, classes[contacts], COMPARED), constant=1)
+    return Rowwise(integrator.step(method, classes[contacts], parts), constant=1)
+
+
+def steps_of(model: EngineModel, integrator: Integrator, method: int) -> list[Rowwise]:
+    """Return the functions by which a method's steps are interpolated."""
+    count, parts = len(FLIES_OR_NOT), integrator.layouts.shared
+    return [part_of_step(model, integrator, method * count + i, FLIES_OR_NOT, parts) for i in range(count)]
 
 
 @per_model
-def _in_trial(_: EngineModel, integrator: Integrator) -> tuple[np.ndarray, np.ndarray]:
-    """Return the columns of state and trial that correspond."""
-    state, trial = integrator.layouts.state, integrator.layouts.trial
-    shared = [name for name in trial.sizes if name in state.sizes]
-    to, of = (np.concatenate([np.r_[layout[name]] for name in shared]) for layout in (state, trial))
-    return to, of
+def _columns(_: EngineModel, integrator: Integrator, parts: tuple[str, ...]) -> np.ndarray:
+    """Return the columns of parts in a row."""
+    state = integrator.layouts.state
+    return np.concatenate([np.arange(state.size)[state[part]] for part in parts])
 
 
 def friction_force(slip: str) -> str:

@@ -20,7 +20,7 @@ from hertzwerk.runtime.engine.integration.loop.turning_slip import PASSING
 from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution.contact_watch import Lasting, LastingContacts, Watch, impacts_of
-from hertzwerk.runtime.engine.solution.history import History, part_of_step
+from hertzwerk.runtime.engine.solution.history import History, steps_of
 from hertzwerk.runtime.engine.solution.impacts import Impact, crest
 from hertzwerk.runtime.engine.solution.interval_sums import Summing, Sums, inner
 from hertzwerk.runtime.system.lazy import cached_property
@@ -49,7 +49,7 @@ def finders(model: EngineModel, integrator: Integrator, needs: Needs) -> list[Ro
     if peaks and model.k:
         functions.append(crest(model, integrator, 0))
     if needs & (Needs.SUMS | Needs.STEPS):
-        functions += [part_of_step(model, integrator, 0), *(inner(model, j) for j in range(model.k))]
+        functions += [*steps_of(model, integrator, 0), *(inner(model, j) for j in range(model.k))]
     return list(dict.fromkeys(functions))
 
 

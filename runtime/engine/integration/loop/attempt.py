@@ -61,7 +61,9 @@ class Integrator:
             trial = stepper(self.model, self.tables[method], contacts)(start, run, h)
             result = self.layouts.trial.join(trial) if parts is None else ca.vertcat(*(trial[part] for part in parts))
             names = ["state", "controls", "h"]
-            self._steps[known] = lean("step", [*arguments, h], [ca.densify(result)], names, ["trial"])
+            which = ("by_mode",) if contacts is BY_MODE else contacts
+            name = "_".join(map(str, ("step", method, *which)))  # one C program may have several
+            self._steps[known] = lean(name, [*arguments, h], [ca.densify(result)], names, ["trial"])
         return self._steps[known]
 
 

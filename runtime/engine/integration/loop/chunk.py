@@ -313,7 +313,8 @@ class _March:
             self._resume = Resume(self._state, chooses)
             return
         bound = ROOM * h >= self._t_end - states[:, self._at["t"]]
-        bound[-1] |= self.status != RUNNING
+        if self.status != RUNNING:
+            bound[-1] = True
         last = int(bound.argmax())
         self._free = not bound[last]
         last = len(states) if self._free else last

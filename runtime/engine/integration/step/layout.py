@@ -51,10 +51,7 @@ class Layout:
 
     def split(self, vector: Any) -> dict[str, Any]:
         """Return the parts of a vector by name, each a column."""
-        bounds = [0]
-        for size in self.sizes.values():
-            bounds.append(bounds[-1] + size)
-        return {name: vector[bounds[i] : bounds[i + 1]] for i, name in enumerate(self.sizes)}
+        return {name: vector[part] for name, part in self._slices.items()}
 
     def join(self, parts: Mapping[str, Any]) -> Any:
         """Join exactly these parts to the vector.
@@ -84,6 +81,11 @@ class Layouts:
     trial: Layout
     verdict: Layout
     kind: Any = ca.SX
+
+    @cached_property
+    def shared(self) -> tuple[str, ...]:
+        """Names of the parts that both a state and the result of a step have."""
+        return tuple(name for name in self.trial.sizes if name in self.state.sizes)
 
     def symbols(self, names: str, kind: Any = None) -> tuple[list[Any], list[dict[str, Any]]]:
         """Return symbols of vectors, as of "state controls next", and their parts; by default of this `kind`.
