@@ -1,12 +1,15 @@
 """What a request for an accuracy costs over the cheapest single run that has the error, and how much better than requested it is.
 
-Over the scenes, as long as in `honesty`, by the default method, in evaluations of the equations. The single runs are those
-at every half decade of tolerance, and that of the request itself; true errors are those of the whole run (`honesty.apart`).
+Over the scenes, as long as in `honesty`, by the default method, in evaluations of the equations and in processor time, which also
+counts the comparison of the runs. The single runs are those at every half decade of tolerance, and that of the request itself; true
+errors are those of the whole run (`honesty.apart`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+import time
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,7 +26,10 @@ TRUE, COST = (1, 30), 2.2  # issue 40, 3: requested over true error, and cost ov
 
 @dataclass(frozen=True)
 class Request:
-    """A request that was met: requested, true and estimated error, evaluations of the call, of the cheapest single run; runs."""
+    """A request that was met: requested, true and estimated error, evaluations of the call, of the cheapest single run; runs.
+
+    time    processor time of the call over that of the cheapest single run
+    """
 
     scene: str
     asked: float
@@ -32,6 +38,7 @@ class Request:
     evaluations: int
     cheapest: int
     runs: int
+    time: float = math.nan
 
     @property
     def cost(self) -> float:
@@ -39,7 +46,8 @@ class Request:
         return self.evaluations / self.cheapest
 
     def __str__(self) -> str:
-        return f"{self.scene}, {self.asked:g}: true {self.true:.2g}, estimated {self.estimated:.2g}, {self.runs} runs, cost {self.cost:.2f}"
+        costs = f"{self.runs} runs, cost {self.cost:.2f}, time {self.time:.1f}"
+        return f"{self.scene}, {self.asked:g}: true {self.true:.2g}, estimated {self.estimated:.2g}, {costs}"
 
 
 def requests(motion: Motion, accuracies: Sequence[float]) -> Iterator[Request]:
@@ -54,19 +62,27 @@ def requests(motion: Motion, accuracies: Sequence[float]) -> Iterator[Request]:
 
     singles = []
     for tolerance in TOLERANCES:
-        run = simulate(motion.model, tolerance=tolerance, **motion.given)
+        run, seconds = _timed(lambda tolerance=tolerance: simulate(motion.model, tolerance=tolerance, **motion.given))
         if run.outcome.finished:
-            singles.append((run.statistics.rhs_evaluations, true(run)))
+            singles.append((run.statistics.rhs_evaluations, seconds, true(run)))
+    simulate(motion.model, accuracy=accuracies[0], **motion.given)  # builds what compares runs
     for asked in accuracies:
         with counted() as evaluations:
-            run = simulate(motion.model, accuracy=asked, **motion.given)
+            run, seconds = _timed(lambda asked=asked: simulate(motion.model, accuracy=asked, **motion.given))
         if run.outcome.finished and run.error is not None and run.error.known:
             off = true(run, run.error.times)
-            sufficient = [cost for cost, error in [*singles, (run.statistics.rhs_evaluations, off)] if error <= asked]
+            own = run.statistics.rhs_evaluations, math.nan, off
+            sufficient = [(cost, plain) for cost, plain, error in [*singles, own] if error <= asked]
             if sufficient:
-                yield Request(
-                    motion.name, asked, off, run.error.worst, sum(evaluations), min(sufficient), run.error.runs
-                )
+                cheapest, plain = min(sufficient)
+                costs = sum(evaluations), cheapest, run.error.runs, seconds / plain
+                yield Request(motion.name, asked, off, run.error.worst, *costs)
+
+
+def _timed(simulated: Callable[[], Any]) -> tuple[Any, float]:
+    """Return a run and its processor time [s]."""
+    began = time.process_time()
+    return simulated(), time.process_time() - began
 
 
 def overpaid(scenes: Sequence[str] | None = None, accuracies: Sequence[float] = ACCURACIES) -> Iterator[str]:
@@ -92,6 +108,7 @@ def _line(name: str, found: Sequence[Request]) -> str:
     verdicts = ["kept" if each else "MISSED" for each in kept]
     return (
         f"  {name:6} {len(found):3} requests: requested/true 5 % {better[0]:.2g}, 50 % {better[1]:.2g} ({TRUE[0]} to {TRUE[1]}: {verdicts[0]}), "
-        f"95 % {better[2]:.2g}; cost 50 % {cost[0]:.2f} (<= {COST}: {verdicts[1]}), 95 % {cost[1]:.2f}, at most {cost[2]:.2f}; "
+        f"95 % {better[2]:.2g}; cost 50 % {cost[0]:.2f} (<= {COST}: {verdicts[1]}), 95 % {cost[1]:.2f}, at most {cost[2]:.2f}, "
+        f"in processor time 50 % {np.nanmedian([request.time for request in found]):.2f}; "
         f"runs {np.mean([request.runs for request in found]):.2f}"
     )

@@ -23,4 +23,4 @@ def test_the_report_shows_what_is_over_its_request_and_the_dearest():
     assert [line.split()[:2] for line in lines[:2]] == [["1e-05", "1"], ["all", "1"]]
     assert lines[2].startswith("    dearest: pendulum, 1e-05")
     over = Request("a", 1e-6, 2e-6, 1e-6, evaluations=300, cheapest=100, runs=2)
-    assert str(over) == "a, 1e-06: true 2e-06, estimated 1e-06, 2 runs, cost 3.00"
+    assert str(over) == "a, 1e-06: true 2e-06, estimated 1e-06, 2 runs, cost 3.00, time nan"
