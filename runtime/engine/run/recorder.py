@@ -152,14 +152,13 @@ class Sampled:
     def __init__(self, begin: float, end: float, count: int, *, later: bool) -> None:
         self._later = later
         self._waiting: list[tuple[History, int]] = []
-        between = begin + (np.arange(count) + (3 - 5**0.5) / 2) / count * (
-            end - begin
-        )  # no event of a period meets them
-        self._grid = Grid(np.concatenate([[begin], between, [end]]), compared=True)
+        # no event of a period meets those between
+        between = begin + (np.arange(count) + (3 - 5**0.5) / 2) / count * (end - begin)
+        self._times, self._count = np.concatenate([[begin], between, [end]]), 0
+        self._rows: list[np.ndarray] = []  # at those times
+        self._last: History  # of one row
         self._steps = self._turns = 0
-        self._even, self._turned, self._bent = (
-            _Within(most, parts) for most, parts in ((self.EVEN, 1), (self.EVEN, 1), (self.BENT, len(self.THROUGHOUT)))
-        )
+        self._within = _Within(self.EVEN, 1), _Within(self.EVEN, 1), _Within(self.BENT, len(self.THROUGHOUT))
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
@@ -172,40 +171,45 @@ class Sampled:
             self._of(*self._waiting.pop(0))
 
     def _of(self, block: History, fresh: int) -> None:
-        self._grid.take(block, fresh)
+        self._last = block.of(block.rows[-1:].copy())  # which has to wait: an event may change it yet
+        stop = int(np.searchsorted(self._times, block.t[-1]))
+        times, self._count = self._times[self._count : stop], stop
+        before = np.searchsorted(block.t, times, side="right") - 1
         first = max(fresh - 1, 0)
         controls, layout = block.controls, block.engine.layouts.controls
         (tolerance,), (length, speed) = controls[layout["tolerance"]], controls[layout["scales"]][:2]
         short = self.SHORT * tolerance * length / speed if block.model.ne else 0.0
         begins = first + np.flatnonzero(np.diff(block.t[first:]) > short)
         turned, zeros = _turns(block, begins, speed / length)
+        even, through_zero, bent = self._within
         chosen = [
-            self._even.choose(begins, _evenly(self._steps, len(begins)), np.array([[self.LATE]])),
-            self._turned.choose(begins[turned], _evenly(self._turns, len(zeros)), zeros),
-            self._bent.choose(begins, _bends(block, begins), np.array([self.THROUGHOUT])),
+            even.choose(begins, _evenly(self._steps, len(begins)), np.array([[self.LATE]])),
+            through_zero.choose(begins[turned], _evenly(self._turns, len(zeros)), zeros),
+            bent.choose(begins, _bends(block, begins), np.array([self.THROUGHOUT])),
         ]
-        index = np.concatenate([np.repeat(steps, parts.shape[1]) for steps, parts in chosen])
-        h = np.concatenate([parts.ravel() for _, parts in chosen]) * (block.t[index + 1] - block.t[index])
+        index = np.concatenate([before, *(np.repeat(steps, parts.shape[1]) for steps, parts in chosen)])
+        own = np.concatenate([parts.ravel() for _, parts in chosen])
+        own *= np.diff(block.t)[index[len(times) :]]
+        h = np.append(times - block.t[before], own)
         _, first_of, place = np.unique(block.t[index] + h, return_index=True, return_inverse=True)
         rows = block.between(index[first_of], h[first_of], compared=True).rows[place]
-        bounds = np.cumsum([parts.size for _, parts in chosen])[:-1]
-        for within, own in zip((self._even, self._turned, self._bent), np.split(rows, bounds), strict=True):
-            within.keep(own)
+        bounds = np.cumsum([len(times), *(parts.size for _, parts in chosen)])[:-1]
+        at_times, *within = np.split(rows, bounds)
+        at_times[:, block.columns("t").start] = times  # not t + (time - t), which may differ in the last digit
+        self._rows.append(at_times)
+        for steps, states in zip(self._within, within, strict=True):
+            steps.keep(states)
         self._steps, self._turns = self._steps + len(begins), self._turns + len(zeros)
 
     @cached_property
     def history(self) -> History:
         """Histories at the times that the run reached, once it has ended."""
         self._sample()
-        grid = self._grid.history
-        own = (
-            rows.reshape(-1, grid.rows.shape[1])
-            for within in (self._even, self._turned, self._bent)
-            for rows in within.rows
-        )
-        rows = np.concatenate([*own, grid.rows])
-        column = grid.columns("t").start
-        return grid.of(rows[np.unique(rows[:, column], return_index=True)[1]])
+        last = self._last
+        arrived = int(last.t[0] in self._times[self._count : self._count + 1])
+        own = (states.reshape(-1, states.shape[-1]) for steps in self._within for states in steps.rows)
+        rows = np.concatenate([*own, *self._rows, last.rows[:arrived]])
+        return last.of(rows[np.unique(rows[:, last.columns("t").start], return_index=True)[1]])
 
 
 class _Within:
