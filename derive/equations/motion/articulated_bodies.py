@@ -79,7 +79,7 @@ class Articulated:
         tape, bodies = self._tape, {link: self._rigid(link) for link in self._links}
         for link in reversed(self._links):
             name, left = link.name, bodies[link].named(self._tape, f"{link.name}_articulated")
-            for row, axis in reversed([*zip(link.rows, self._axes(link), strict=True)]):
+            for row, axis in reversed([*zip(link.rows, parts.axes(link), strict=True)]):
                 if not row.free:
                     continue
                 label = row.key.replace(".", "_")
@@ -107,7 +107,7 @@ class Articulated:
         for link in reversed(self._links):
             moment, force = (add(ZERO, *each) for each in zip(*forces[link], strict=True)) if forces[link] else (ZERO, ZERO)  # fmt: skip
             moment, force = tape.vector(moment, f"{link.name}_passed_moment"), tape.vector(force, f"{link.name}_passed_force")  # fmt: skip
-            for row, axis in reversed([*zip(link.rows, self._axes(link), strict=True)]):
+            for row, axis in reversed([*zip(link.rows, parts.axes(link), strict=True)]):
                 if row.free:
                     held = less(right[row.key], dot(axis, force if link.kind == "slide" else moment))
                     driving[row] = y = tape.let(held, f"y_{row.key.replace('.', '_')}")
@@ -128,7 +128,7 @@ class Articulated:
                 tape.vector(link.change.back(turn), f"{link.name}_turn"),
                 tape.vector(move, f"{link.name}_move"),
             )
-            for row, axis in zip(link.rows, self._axes(link), strict=True):
+            for row, axis in zip(link.rows, parts.axes(link), strict=True):
                 if row.free:
                     by_turn, by_move = self._shares[row]
                     value = less(driving[row] / self._own[row], dot(by_turn, turn), dot(by_move, move))
@@ -139,9 +139,6 @@ class Articulated:
                         turn = add(turn, scale(value, axis))
             moves[link] = tape.vector(turn, f"{link.name}_turn"), tape.vector(move, f"{link.name}_move")
         return accelerations
-
-    def _axes(self, link: Link) -> tuple[Vector, ...]:
-        return UNIT if link.kind == "ball" else (self._parts.axis(link),)
 
     def _rigid(self, link: Link) -> Inertia:
         """Inertia of the bodies on a link alone."""

@@ -20,7 +20,7 @@ from hertzwerk.derive.equations.motion.constraints import constraints_of, drivin
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.equations.motion.multipliers import Loops
 from hertzwerk.derive.equations.motion.recursion import Recursion
-from hertzwerk.derive.equations.motion.spanning_tree import UNIT, Link, Row
+from hertzwerk.derive.equations.motion.spanning_tree import Link, Row
 from hertzwerk.derive.expressions.algebra.vectors import ZERO, Vector, add, cross, dot, scale
 from hertzwerk.derive.program.elimination import Factor
 
@@ -59,20 +59,16 @@ class Equations:
 
     # -- mass matrix and bias --------------------------------------------------------------------------------------
 
-    def _axes(self, link: Link) -> tuple[Vector, ...]:
-        """Axis of each row of a link, in the axes of its run."""
-        return UNIT if link.kind == "ball" else (self.recursion.axis(link),)
-
     def _columns(self, link: Link) -> dict[tuple[str, str], Any]:
         """Mass matrix entries of a link's rows with themselves and the rows of the links below, by keys."""
         entries: dict[tuple[str, str], Any] = {}
         parts = self.recursion
-        for i, (row, axis) in enumerate(zip(link.rows, self._axes(link), strict=True)):
+        for i, (row, axis) in enumerate(zip(link.rows, self.recursion.axes(link), strict=True)):
             name = row.key.replace(".", "_")
             slides = link.kind == "slide"
             force = scale(parts.mass(link), axis) if slides else cross(axis, parts.moment(link))
             # the link's own rows first: only requested entries of an inertia are computed
-            for other, along in zip(link.rows[: i + 1], self._axes(link), strict=False):
+            for other, along in zip(link.rows[: i + 1], self.recursion.axes(link), strict=False):
                 value = dot(force, along) if slides else dot(parts.inertia(link).apply(axis), along)
                 entries[row.key, other.key] = self.tape.let(value, f"M_{name}_{other.key.replace('.', '_')}")
             if any(below.kind != "slide" for below in link.path[:-1]):
@@ -86,7 +82,7 @@ class Equations:
                 force = self.tape.vector(here.change.out(force), f"{name}_{here.name}_force")
                 torque = self.tape.vector(add(here.change.out(torque), cross(arm, force)), f"{name}_{here.name}_torque")
                 here = here.parent
-                for other, along in zip(here.rows, self._axes(here), strict=True):
+                for other, along in zip(here.rows, self.recursion.axes(here), strict=True):
                     value = dot(along, force if here.kind == "slide" else torque)
                     entries[row.key, other.key] = self.tape.let(value, f"M_{name}_{other.key.replace('.', '_')}")
         return entries
@@ -110,7 +106,7 @@ class Equations:
 
     def _axis_of(self, row: Row) -> Vector:
         link = self.link_of[row]
-        return self._axes(link)[link.rows.index(row)]
+        return self.recursion.axes(link)[link.rows.index(row)]
 
     # -- forces and accelerations ----------------------------------------------------------------------------------
 

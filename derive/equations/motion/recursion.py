@@ -157,6 +157,10 @@ class Recursion:
             else link.axis
         )
 
+    def axes(self, link: Link) -> tuple[Vector, ...]:
+        """Axis of each row of a link, in the axes of its run."""
+        return UNIT if link.kind == "ball" else (self.axis(link),)
+
     # -- composites ------------------------------------------------------------------------------------------------
 
     @per_link
@@ -191,7 +195,7 @@ class Recursion:
             return outer_spin
         w = tape.vector(link.change.back(outer_spin.w), f"{name}_w")
         alpha = tape.vector(link.change.back(outer_spin.alpha), f"{name}_b")
-        axes = (self.axis(link),) if link.kind == "turn" else UNIT
+        axes = self.axes(link)
         turn = add(*(scale(row.speed, axis) for row, axis in zip(link.rows, axes, strict=True)))
         driven = add(
             *(scale(row.acceleration, axis) for row, axis in zip(link.rows, axes, strict=True) if not row.free)

@@ -324,9 +324,7 @@ def _expressions(reading: Reading) -> list[Any]:
         vectors += point._pos_dict.values()
     for body in reading.bodies:
         vectors.append(reading.velocity(mass_centre(body)[0]))
-        expressions += [
-            entry for value, *_ in (body.inertia[0].args if hasattr(body, "inertia") else ()) for entry in (value,)
-        ]
+        expressions += [value for value, *_ in (body.inertia[0].args if hasattr(body, "inertia") else ())]
     for frame in frames_of(reading).values():
         expressions += [entry for matrix in frame._dcm_dict.values() for entry in matrix]
     expressions += [value for vector in vectors if vector != 0 for values, _ in vector.args for value in values]

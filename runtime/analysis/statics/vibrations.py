@@ -33,6 +33,7 @@ from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
+from hertzwerk.runtime.engine.run.continuation import parameters_of
 from hertzwerk.runtime.engine.run.run_request import read_duration
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.engine.start import start_values
@@ -378,8 +379,7 @@ def _of_run(run: EngineSolution, at: str | float | None) -> Modes:
     mode = np.array([state[f"{pair}.mode"][0] for pair in model.pairs])
     slips = [state[name][0] for name, *_ in model.slips]
     m = np.array([*(state[name][0] for name in model.latches), *slips])
-    defaults = {name: (port.default, port.unit) for name, port in model.parameters.items()}
-    parameters = {name: value for name, value in run.settings.parameters.items() if value != defaults[name]}
+    parameters = parameters_of(run, model)
     note = f"the equations are frozen at t = {t:g} s, where the motion is not at rest" if np.any(u) else ""
     model = inputs_at(model, None, t)
     return _modes(model, model.bind(parameters), t, q, u, z, mode, m, (note,) if note else ())

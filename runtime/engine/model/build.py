@@ -150,19 +150,16 @@ def vary(
     Raises InputError with all faults.
     """
     faults: list[Fault] = []
-    for effect, law in (laws or {}).items():
+    changes: list[Callable[[Scene], Scene]] = [
+        *(partial(_with_law, effect=effect, text=law) for effect, law in (laws or {}).items()),
+        lambda varied: varied.without(*without) if without else varied,
+        lambda varied: varied if coordinates is None else varied.with_coordinates(coordinates),
+    ]
+    for change in changes:
         try:
-            scene = _with_law(scene, effect, law)
+            scene = change(scene)
         except InputError as error:
             faults.extend(error.faults)
-    try:
-        scene = scene.without(*without) if without else scene
-    except InputError as error:
-        faults.extend(error.faults)
-    try:
-        scene = scene.with_coordinates(coordinates) if coordinates is not None else scene
-    except InputError as error:
-        faults.extend(error.faults)
     refuse(scene.name, faults)
     return scene
 

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from hertzwerk.runtime.output.drawings import force_symbols, labels
-from hertzwerk.runtime.output.drawings.drawing_primitives import INK, Paper, shade
+from hertzwerk.runtime.output.drawings.drawing_primitives import INK, Paper, nice, shade
 from hertzwerk.runtime.output.drawings.parts import Parts
 from hertzwerk.runtime.output.drawings.places import GROUND, SOLIDS, Landmark, Places
 from hertzwerk.runtime.output.drawings.view import view_of
@@ -240,7 +240,7 @@ class Drawing:
         for name, way in zip("xyz", self.parts.view(np.eye(3)), strict=True):
             paper.arrow(np.array([at, at + 20 * p * way]), INK, 0.9, head=4)
             paper.text(at + 26 * p * way, name)
-        length = _nice(60 * p)
+        length = nice(60 * p)
         middles = [
             np.array([x, y])
             for y in (bottom + 12 * p, top - 12 * p)
@@ -283,12 +283,6 @@ def _distinct(parts: Parts, size: float) -> tuple[int, ...]:
 def _unit(size: float) -> Scale:
     """Return metres, centimetres or less, for numbers of one to three digits."""
     return Scale(*next((unit for unit in UNITS if size >= 1.2 * unit[1] * (8 if unit[0] == "cm" else 1)), UNITS[-1]))
-
-
-def _nice(length: float) -> float:
-    """Return the nearest of 1, 2, 5, 10, ... below a length."""
-    power = 10.0 ** np.floor(np.log10(length))
-    return float(max(step * power for step in (1, 2, 5) if step * power <= length))
 
 
 def _named(bodies: Sequence[str]) -> dict[str, str]:

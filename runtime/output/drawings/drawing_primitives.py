@@ -210,6 +210,12 @@ def goes_round(outline: Array, at: Array) -> bool:
     return bool(np.sum(crosses & (x - y * (to_x - x) / rise > 0)) % 2)
 
 
+def nice(number: float) -> float:
+    """Return the nearest of 1, 2, 5, 10, ... below a number."""
+    power = 10.0 ** np.floor(np.log10(number))
+    return float(max(step * power for step in (1, 2, 5) if step * power <= number))
+
+
 def tint(colour: str, strength: float) -> tuple[float, float, float]:
     """Mix a colour with white."""
     r, g, b = (1 - strength * (1 - part) for part in to_rgb(colour))

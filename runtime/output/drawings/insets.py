@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.patches import ConnectionPatch, Polygon
 
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.runtime.output.drawings.drawing_primitives import INK, ROUND, Paper
+from hertzwerk.runtime.output.drawings.drawing_primitives import INK, ROUND, Paper, nice
 from hertzwerk.runtime.output.drawings.parts import INSIDE, Parts
 from hertzwerk.runtime.output.drawings.places import Landmark
 from hertzwerk.runtime.output.plots.plot_style import GREY
@@ -193,7 +193,7 @@ def clearances(parts: Parts, point: float) -> Iterator[Inset]:
                 if 2.8 * hole > 0.7 * WIDTH * 72 * point:  # it is as large in the picture
                     details.append(Inset(name, (inner, outer), parts, parts.at(outer, 0), 1.4 * clearance, way=True))
                     continue
-                more = 1.0 if clearance > LEGIBLE * hole else max(1.0, _round(PART * hole / clearance))
+                more = 1.0 if clearance > LEGIBLE * hole else max(1.0, nice(PART * hole / clearance * 1.001))
                 details.append(Inset(name, (inner, outer), parts, parts.at(outer, 0), 1.4 * hole, more))
     gaps: dict[str, list[tuple[float, str, Array, list[Landmark]]]] = {}
     for (name, kind), marks in parts.of.items():
@@ -231,12 +231,6 @@ def _gap(parts: Parts, marks: list[Landmark], i: int = 0) -> tuple[float, Array]
         width = distance - radius - second.size("radius")
         return width, two + (second.size("radius") + width / 2) * apart / distance
     return None
-
-
-def _round(number: float) -> float:
-    """Return the nearest of 1, 2, 5, 10, ... below a number."""
-    power = 10.0 ** np.floor(np.log10(number * 1.001))
-    return float(max(step * power for step in (1, 2, 5) if step * power <= number * 1.001))
 
 
 def _times(number: float) -> str:

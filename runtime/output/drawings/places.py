@@ -10,7 +10,7 @@ import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.derive.common.grouping import grouped
-from hertzwerk.runtime.engine.run.continuation import with_steps
+from hertzwerk.runtime.engine.run.continuation import parameters_of, with_steps
 from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
 
@@ -111,10 +111,12 @@ class Places:
         good = np.isfinite(positions).all(axis=1) & np.isfinite(rotations).all(
             axis=1
         )  # to where a run came to no good end
-        defaults = {name: (port.default, port.unit) for name, port in run.engine.model.parameters.items()}
-        parameters = {name: value for name, value in run.settings.parameters.items() if value != defaults[name]}
         return cls._of(
-            run.engine.model, run.engine.model.bind(parameters).p, times[good], positions[good], rotations[good]
+            run.engine.model,
+            run.engine.model.bind(parameters_of(run, run.engine.model)).p,
+            times[good],
+            positions[good],
+            rotations[good],
         )
 
     @classmethod

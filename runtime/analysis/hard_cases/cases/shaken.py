@@ -11,7 +11,7 @@ import math
 from hertzwerk.runtime.analysis.hard_cases.case import METHODS, HardCase, Known, Source, final
 
 MASS, RADIUS, STIFFNESS, GRAVITY = 1.0, 0.02, 1e8, 9.81  # kg, m, N/m, m/s^2
-PACE, LOWEST = 40 * math.pi, 1.5 * math.pi  # rad/s; phase at the start, rad
+PACE = 40 * math.pi  # rad/s
 TURN, FLIGHT = 2 * math.pi / PACE, 1 / PACE  # s
 
 
