@@ -102,11 +102,19 @@ def compile_together(models: Iterable[tuple[EngineModel, str]]) -> None:
         code.native = code.callers(native)
 
 
-def prepare(model: EngineModel, method: str, compiled: Compiled, ahead: float = 0.0, needs: Needs = Needs.ENDS) -> bool:
+def prepare(
+    model: EngineModel,
+    method: str,
+    compiled: Compiled,
+    ahead: float = 0.0,
+    needs: Needs = Needs.ENDS,
+    *,
+    compared: bool = False,
+) -> bool:
     """Build what runs of a model need before they are made side by side; return whether to compile.
 
     As `compiled` says, or with "auto" if it saves time for runs that take `ahead` [s] uncompiled. What finds what is
-    needed of the runs is compiled as well. Raises InputError without a compiler.
+    needed of the runs is compiled as well, and what compares them for an accuracy. Raises InputError without a compiler.
     """
     bound, _ = model.check({})
     q, _ = read_start(model, bound, {}, [])
@@ -119,5 +127,5 @@ def prepare(model: EngineModel, method: str, compiled: Compiled, ahead: float = 
         or not (code.compiled_if_faster(math.inf, ahead) if compiled == "auto" else compiled)
     ):
         return False
-    use_compiled(finders(model, engine.integrator, needs))
+    use_compiled(finders(model, engine.integrator, needs, compared=compared))
     return True

@@ -520,10 +520,13 @@ def part_of_step(
     return Rowwise(integrator.step(method, classes[contacts], parts), constant=1)
 
 
-def steps_of(model: EngineModel, integrator: Integrator, method: int) -> list[Rowwise]:
-    """Return the functions by which a method's steps are interpolated."""
-    count, parts = len(FLIES_OR_NOT), integrator.layouts.shared
-    return [part_of_step(model, integrator, method * count + i, FLIES_OR_NOT, parts) for i in range(count)]
+def steps_of(model: EngineModel, integrator: Integrator, method: int, *, compared: bool = False) -> list[Rowwise]:
+    """Return the functions that interpolate a method's steps, or states for a comparison of runs."""
+    classes, parts = FLIES_OR_NOT, integrator.layouts.shared
+    if compared:
+        classes, parts = contact_classes(integrator.model), COMPARED
+    count = len(classes)
+    return [part_of_step(model, integrator, method * count + i, classes, parts) for i in range(count)]
 
 
 @per_model

@@ -42,14 +42,19 @@ class Needs(enum.Flag):
 EVERYTHING = Needs.IMPACTS | Needs.SUMS | Needs.CHOICES
 
 
-def finders(model: EngineModel, integrator: Integrator, needs: Needs) -> list[Rowwise]:
-    """Return the functions that find what is needed in runs by the integrator's first method."""
-    peaks = bool(needs & (Needs.IMPACTS | Needs.STEPS))
+def finders(model: EngineModel, integrator: Integrator, needs: Needs, *, compared: bool = False) -> list[Rowwise]:
+    """Return the functions that find what is needed in runs by the integrator's first method.
+
+    compared    whether runs are compared with others, for an accuracy
+    """
+    peaks = compared or bool(needs & (Needs.IMPACTS | Needs.STEPS))
     functions: list[Rowwise] = []
     if peaks and model.k:
         functions.append(crest(model, integrator, 0))
     if needs & (Needs.SUMS | Needs.STEPS):
         functions += [*steps_of(model, integrator, 0), *(inner(model, j) for j in range(model.k))]
+    if compared:
+        functions += steps_of(model, integrator, 0, compared=True)
     return list(dict.fromkeys(functions))
 
 

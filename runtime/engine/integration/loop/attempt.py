@@ -62,7 +62,7 @@ class Integrator:
             result = self.layouts.trial.join(trial) if parts is None else ca.vertcat(*(trial[part] for part in parts))
             names = ["state", "controls", "h"]
             which = ("by_mode",) if contacts is BY_MODE else contacts
-            name = "_".join(map(str, ("step", method, *which)))  # one C program may have several
+            name = "_".join(map(str, ("step", method, *which, "of", result.numel())))  # one C program may have several
             self._steps[known] = lean(name, [*arguments, h], [ca.densify(result)], names, ["trial"])
         return self._steps[known]
 

@@ -124,7 +124,10 @@ class Job:
     def prepare(self) -> None:
         """Build what all rows need, compiled where that saves time; raises InputError without a compiler."""
         settings = self.settings
-        self.compiled = prepare(self.model, settings.method, settings.compiled, self.foreseen, self.needs)
+        compared = settings.request is not None
+        self.compiled = prepare(
+            self.model, settings.method, settings.compiled, self.foreseen, self.needs, compared=compared
+        )
         self.settings = replace(settings, compiled=self.compiled)
 
     def do(self, *tasks: Task) -> list[Row]:
