@@ -430,8 +430,8 @@ def test_a_forbidden_import_would_be_found(tmp_path, monkeypatch):
     assert {"hertzwerk.runtime.pictures", "hertzwerk.derive", "sympy.core", "hertzwerk.derive.scenes"} <= set(
         modules(file)
     )
-    found = file_graph.__wrapped__()[Path("runtime/inner/x.py")]
-    assert {str(other) for other in found} == {
+    actual = file_graph.__wrapped__()[Path("runtime/inner/x.py")]
+    assert {str(other) for other in actual} == {
         "runtime/pictures/__init__.py",
         "derive/__init__.py",
         "derive/scenes/__init__.py",

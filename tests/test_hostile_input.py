@@ -344,14 +344,14 @@ def test_an_altered_file_of_a_run_is_refused_or_means_the_same(saved, tmp_path, 
         path.write_bytes(altered(rng, content))
         try:
             with patience("an altered file"):
-                found = Solution.load(path)
+                actual = Solution.load(path)
         except InputError as error:
             refused += 1
             str(error).encode()
         else:
-            assert all(np.array_equal(found[name], run[name]) for name in ("t", *run))
-            assert found.impacts == run.impacts
-            assert found.outcome == run.outcome
+            assert all(np.array_equal(actual[name], run[name]) for name in ("t", *run))
+            assert actual.impacts == run.impacts
+            assert actual.outcome == run.outcome
     assert refused > count // 2
 
 

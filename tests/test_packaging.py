@@ -101,13 +101,13 @@ def test_the_installed_package_is_found_where_a_plain_folder_of_its_name_lies_be
         "import hertzwerk, hertzwerk.derive as d\nprint(hertzwerk.__file__, hertzwerk.__version__, hertzwerk.Scene, d.__file__)\n"
     )
     site = f"import sys, runpy; sys.path[:0] = [{str(script.parent)!r}, {str(tmp_path / 'site')!r}]; runpy.run_path({str(script)!r})"
-    found = subprocess.run(
+    actual = subprocess.run(
         [sys.executable, "-c", site], check=True, capture_output=True, text=True, cwd=tmp_path
     ).stdout
     home = tmp_path / "site" / "hertzwerk"
-    assert found.split(" ", 1)[0] == str(home / "__init__.py")
-    assert found.split()[-1] == str(home / "derive" / "__init__.py")
-    assert f" {project()['version']} " in found
+    assert actual.split(" ", 1)[0] == str(home / "__init__.py")
+    assert actual.split()[-1] == str(home / "derive" / "__init__.py")
+    assert f" {project()['version']} " in actual
 
 
 def project() -> dict:
@@ -145,7 +145,7 @@ def test_every_package_is_typed_and_the_clone_is_none(package):
 
 def test_the_first_names_come_from_the_package_and_nothing_heavy_before_they_are_requested():
     """`import hertzwerk` costs nothing; each name is what its home has, one that is not there is an AttributeError."""
-    asked = (
+    requested = (
         "import sys, hertzwerk\n"
         "heavy = {'casadi', 'sympy', 'numpy', 'hertzwerk.runtime', 'hertzwerk.derive'} & set(sys.modules)\n"
         "assert not heavy, heavy\n"
@@ -156,5 +156,5 @@ def test_the_first_names_come_from_the_package_and_nothing_heavy_before_they_are
         "assert set(hertzwerk.__all__) <= set(dir(hertzwerk))\n"
         "print(hertzwerk.__version__)\n"
     )
-    out = subprocess.run([sys.executable, "-c", asked], check=True, capture_output=True, text=True).stdout
+    out = subprocess.run([sys.executable, "-c", requested], check=True, capture_output=True, text=True).stdout
     assert out.strip() == project()["version"]

@@ -95,6 +95,6 @@ def test_sliding_on_bristles_against_scipy():
         bend = v - sliding.BRISTLE * abs(v) * z / mu
         return [(sliding.DRIVE - sliding.LOAD * (sliding.BRISTLE * z + damping * bend)) / sliding.MASS, bend]
 
-    found = solve_ivp(rates, (0, 0.5), [sliding.START, 0], method="Radau", rtol=1e-11, atol=[1e-13, 1e-20])
-    assert found.y[0, -1] == pytest.approx(sliding.LUGRE_SPEED, abs=1e-9)
-    assert found.y[1, -1] == pytest.approx(mu / sliding.BRISTLE, rel=1e-9)
+    result = solve_ivp(rates, (0, 0.5), [sliding.START, 0], method="Radau", rtol=1e-11, atol=[1e-13, 1e-20])
+    assert result.y[0, -1] == pytest.approx(sliding.LUGRE_SPEED, abs=1e-9)
+    assert result.y[1, -1] == pytest.approx(mu / sliding.BRISTLE, rel=1e-9)

@@ -384,10 +384,10 @@ def test_a_wrong_call_is_refused_before_anything_runs(row, monkeypatch, tmp_path
     monkeypatch.chdir(tmp_path)
     for place in (simulation, continuation):
         monkeypatch.setattr(place, "set_up", lambda *given, **how: pytest.fail("a run was begun"))
-    call, _, found = row.partition("  ->  ")
+    call, _, actual = row.partition("  ->  ")
     with pytest.raises((InputError, KeyError)) as caught:
         eval(call, {**GIVEN})
-    assert found in str(caught.value)
+    assert actual in str(caught.value)
     assert not list(tmp_path.iterdir())
 
 

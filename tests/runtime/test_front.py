@@ -81,8 +81,8 @@ def test_values_are_parameters_and_initial_states(function):
         CALLS[function](
             BALL, parameters={"vertical.travel": "1 m", "mass": 1}, initial={"vertical.travel": "2 m", "no": 0}
         )
-    told = "\n".join(map(str, caught.value.faults))
-    assert "vertical.travel: found among parameters and initial" in told
+    reported = "\n".join(map(str, caught.value.faults))
+    assert "vertical.travel: found among parameters and initial" in reported
     names = inspect.signature(getattr(runtime, function)).parameters
     assert next(iter(names)) == "target"
     assert not {"values", "model", "output", "how", "limits"} & set(names)
@@ -117,10 +117,10 @@ def test_whole_numbers_are_whole():
 
 
 def test_a_scene_is_run_as_long_as_the_data_it_is_compared_with_last():
-    found, run = compare("bouncing_ball", WAVE, tolerance=1e-6), simulate(BALL, duration="58 ms", tolerance=1e-6)
-    assert found.solution.engine.t_end == pytest.approx(0.058, rel=1e-15)
-    assert found.solution.engine.final == pytest.approx(run.engine.final, rel=1e-12)
-    assert compare(run, WAVE).csv() == found.csv()
+    actual, run = compare("bouncing_ball", WAVE, tolerance=1e-6), simulate(BALL, duration="58 ms", tolerance=1e-6)
+    assert actual.solution.engine.t_end == pytest.approx(0.058, rel=1e-15)
+    assert actual.solution.engine.final == pytest.approx(run.engine.final, rel=1e-12)
+    assert compare(run, WAVE).csv() == actual.csv()
     for data in (run, run.engine.history, 3, None):
         with pytest.raises(InputError, match="data: found"):
             compare(run, data)

@@ -106,8 +106,8 @@ def test_every_impact_of_two_revolutions(scene, method):
         assert impact.t == pytest.approx(hit.onset, abs=2e-10)
         assert (impact.duration is None) == (hit.end is None)
         if i < 10:  # later ones carry the growth of the error from impact to impact
-            found = (impact.speed, impact.peak_penetration, impact.peak_force)
-            assert found == pytest.approx((hit.speed, hit.depth, hit.force), rel=1e-8)
+            actual = (impact.speed, impact.peak_penetration, impact.peak_force)
+            assert actual == pytest.approx((hit.speed, hit.depth, hit.force), rel=1e-8)
             assert impact.t + impact.duration == pytest.approx(hit.end, abs=2e-12)
 
 

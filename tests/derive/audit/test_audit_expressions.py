@@ -420,8 +420,8 @@ def test_a_folder(tmp_path):
         c__note_txt="",
     )
     write(tmp_path / ".hidden", d_toml=BAD_LAW)
-    found = audit_files(tmp_path)
-    assert [path.relative_to(tmp_path).as_posix() for path in found] == ["a/laws.toml", "b.py"]
+    actual = audit_files(tmp_path)
+    assert [path.relative_to(tmp_path).as_posix() for path in actual] == ["a/laws.toml", "b.py"]
     assert [f.verdict for f in audit_path(tmp_path)] == ["consistent", "inconsistent"]
 
 

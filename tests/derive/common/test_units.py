@@ -196,9 +196,9 @@ QUANTITIES = [
 
 @pytest.mark.parametrize(("text", "value", "si", "printed"), QUANTITIES, ids=[row[0] for row in QUANTITIES])
 def test_reads_quantities(text, value, si, printed):
-    found, unit = parse_quantity(text)
-    assert found == value
-    assert unit.to_si(found) == si
+    actual, unit = parse_quantity(text)
+    assert actual == value
+    assert unit.to_si(actual) == si
     assert str(unit) == printed
 
 

@@ -188,8 +188,8 @@ def test_limits_of_the_factor(name):
         whole = coefficient.subs(law.definitions[-1:] if law.definitions else [])
         assert sp.limit(whole, e, 1, "-") == law.at_one
         assert sp.limit(whole, e, 0, "+") == law.at_zero
-    for asked, stated in (("0.999999999999", law.at_one), ("1e-60", law.at_zero)):
-        value = evaluate(coefficient, numbers(law, e=asked))
+    for requested, stated in (("0.999999999999", law.at_one), ("1e-60", law.at_zero)):
+        value = evaluate(coefficient, numbers(law, e=requested))
         if stated is sp.oo:
             assert value > mpf(10) ** 50
         else:

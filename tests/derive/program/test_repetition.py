@@ -185,9 +185,9 @@ def shared_and_same(one):
 
 def test_equal_but_for_leaves_is_one_function():
     one = rows("a b c d", "b c d e", "c d e f", "d e f g")
-    [found] = shared_and_same(one)
-    assert len(one.steps) == 4 and len(found.steps) == 6
-    assert found.name == "pair_rate" and found.returns == ("rate",)
+    [actual] = shared_and_same(one)
+    assert len(one.steps) == 4 and len(actual.steps) == 6
+    assert actual.name == "pair_rate" and actual.returns == ("rate",)
     assert [step.targets for step in one.steps] == [(f"pair_{k}_rate",) for k in range(4)]
 
 
@@ -199,9 +199,11 @@ def test_names_are_identifiers_whatever_parts_and_kinds_are_called(role):
     one = block("rows", lines, ";".join(f"pair_{k}: pair_{k}_{role}" for k in range(4)))
     plain = values([one], [], GIVEN)
     kinds = {f"pair_{k}": "no(); name" for k in range(4)} | {"gap": "", "loss": "2"}
-    [found] = share([one], kinds, {"pair_rate"})
-    assert all(each.isidentifier() and not iskeyword(each) for each in (found.name, *found.parameters, *found.returns))
-    assert values([one], [found], GIVEN) == plain
+    [actual] = share([one], kinds, {"pair_rate"})
+    assert all(
+        each.isidentifier() and not iskeyword(each) for each in (actual.name, *actual.parameters, *actual.returns)
+    )
+    assert values([one], [actual], GIVEN) == plain
 
 
 def test_repetitions_that_save_nothing_stay_written_out():
@@ -212,16 +214,16 @@ def test_repetitions_that_save_nothing_stay_written_out():
 def test_other_operations_are_no_function():
     one = rows("a b c d", "b c d e", "c d e f", "d e f g")
     one.steps[3] = step_of("pair_0_gap", "pair_0_reach/d", {"pair_0_reach", "d"})
-    [found] = shared_and_same(one)
-    assert len(found.sites) == 3 or len(found.steps) < 6
+    [actual] = shared_and_same(one)
+    assert len(actual.sites) == 3 or len(actual.steps) < 6
 
 
 def test_values_that_another_part_reads_are_computed_before():
     """A step of one pair that another reads cannot be within the call alone."""
     one = rows("a b c d", "b c d e", "c d e f", "pair_0_apart e f g")
-    [found] = shared_and_same(one)
+    [actual] = shared_and_same(one)
     assert "pair_0_apart" in [target for step in one.steps if not step.callee for target in step.targets]
-    assert len(found.sites) == 4
+    assert len(actual.sites) == 4
 
 
 def test_a_leaf_that_needs_the_function_is_cut():
@@ -263,4 +265,4 @@ def test_any_program_keeps_its_values(seed):
     plain = values([one], [], given)
     shared = share([one], PARTS, set())
     assert np.array(values([one], shared, given)).tobytes() == np.array(plain).tobytes()
-    assert all(len(set(site.steps)) == len(site.steps) for found in shared for site in found.sites)
+    assert all(len(set(site.steps)) == len(site.steps) for actual in shared for site in actual.sites)

@@ -237,10 +237,10 @@ def test_json_has_the_promised_fields_and_writes_nothing(hertzwerk):
 
 def test_a_run_reports_its_error_and_what_the_next_decade_costs(hertzwerk):
     done = hertzwerk("run", "two_spheres", "--no-plots", "--accuracy", "2.5e-5")
-    (told,) = [line for line in done.output.splitlines() if line.startswith("accuracy")]
+    (reported,) = [line for line in done.output.splitlines() if line.startswith("accuracy")]
     assert re.fullmatch(
         r"accuracy +requested 2.5e-5, estimated [\d.]+e-\d+ at t = 0.\d+ s, [\d.]+e-\d+ at the end; ten times more would cost about 1.\d x the time",
-        told,
+        reported,
     )
     kept = json.loads(Path("runs/two_spheres-001/run.json").read_text())
     assert max(kept["error"]["values"]) == kept["error_estimate"] <= 2.5e-5

@@ -47,9 +47,9 @@ def test_propagate_by_options_and_by_file(file, tmp_path):
     options = ("--uncertain", "gravity=Normal(9.81 m/s^2, 0.2 m/s^2)", "--output", "final.vertical.speed", "--sample", "8",
                "--duration", "0.4 s", "--tolerance", "1e-8")  # fmt: skip
     kept = tmp_path / "kept"
-    told = run("propagate", "bouncing_ball", *options, "--table", str(tmp_path / "found.csv"), "--out", str(kept))
-    assert told.exit_code == 0
-    assert "standard deviation by derivatives 0.08 m/s" in told.output
+    reported = run("propagate", "bouncing_ball", *options, "--table", str(tmp_path / "found.csv"), "--out", str(kept))
+    assert reported.exit_code == 0
+    assert "standard deviation by derivatives 0.08 m/s" in reported.output
     assert (tmp_path / "found.csv").exists()
     assert run("report", str(kept)).exit_code == 0
     outline = Outline((kept / "report.html").read_text("utf-8"))
@@ -61,8 +61,8 @@ def test_propagate_by_options_and_by_file(file, tmp_path):
     with closing(sqlite3.connect(kept / "rows.sqlite")) as rows, rows:  # a digit of one number
         here = "key = (SELECT key FROM points WHERE number = 2)"
         rows.execute(f"UPDATE rows SET outputs = replace(outputs, '9', '8') WHERE {here}")
-    told = run("propagate", "bouncing_ball", *options, "--out", str(kept))
-    assert "rows of it are whole; row 2 damaged" in " ".join(told.output.split())
+    reported = run("propagate", "bouncing_ball", *options, "--out", str(kept))
+    assert "rows of it are whole; row 2 damaged" in " ".join(reported.output.split())
     assert "row 2 damaged" in json.loads((kept / "propagation.json").read_text())["damage"]
     assert "damage" not in run("propagate", "bouncing_ball", *options, "--out", str(kept)).output
     one, other = (
@@ -112,13 +112,13 @@ def test_minimise_by_options_and_by_file(file, tmp_path):
     ],
 )
 def test_bad_options_are_reported_at_once(arguments, places):
-    told = run(*arguments, "--duration", "0.1 s")
-    assert told.exit_code == 2
-    assert all(place in told.output for place in places)
+    reported = run(*arguments, "--duration", "0.1 s")
+    assert reported.exit_code == 2
+    assert all(place in reported.output for place in places)
 
 
 def test_bad_files_are_reported_at_once(file):
-    told = run("propagate", file("target = 3\nsampel = 8\n"))
-    assert told.exit_code == 2
-    assert all(place in told.output for place in ("sampel", "sample", "uncertain", "duration", "target"))
+    reported = run("propagate", file("target = 3\nsampel = 8\n"))
+    assert reported.exit_code == 2
+    assert all(place in reported.output for place in ("sampel", "sample", "uncertain", "duration", "target"))
     assert run("propagate", file(FILE), "--sample", "8").exit_code == 2

@@ -70,10 +70,10 @@ def test_a_sheet(hertzwerk):
 
 
 def test_a_sheet_as_json(hertzwerk):
-    (found,) = json.loads(hertzwerk("laws", "tsuji", "--json").output)["laws"]
-    assert found["restitution"]["coefficient_at_zero"] == "sqrt(5)"
-    assert found["restitution"]["beside"] == "3/2"
-    assert found["exponent"] == "1/4"
+    (actual,) = json.loads(hertzwerk("laws", "tsuji", "--json").output)["laws"]
+    assert actual["restitution"]["coefficient_at_zero"] == "sqrt(5)"
+    assert actual["restitution"]["beside"] == "3/2"
+    assert actual["exponent"] == "1/4"
 
 
 @pytest.mark.parametrize(

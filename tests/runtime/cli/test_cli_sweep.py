@@ -129,8 +129,8 @@ def test_a_section_on_the_command_line_is_that_of_python(tmp_path):
     )  # fmt: skip
     for arrays in (table.section, table.histories):
         assert (tmp_path / "a" / f"{arrays.name}.csv").read_bytes() == arrays.to_csv(arrays.name).read_bytes()
-    told = json.loads(run(*arguments, "--json").stdout)["arrays"]
-    assert told == {"section": table.section.record(), "histories": table.histories.record()}
+    reported = json.loads(run(*arguments, "--json").stdout)["arrays"]
+    assert reported == {"section": table.section.record(), "histories": table.histories.record()}
     assert run("--resume", "a").exit_code == 0
     written = run("--resume", "a", "--table", "t.csv").stdout
     assert "section and histories, as CSV has no lists: --table FILE.parquet" in " ".join(written.split())
@@ -247,10 +247,10 @@ def test_faults_of_form_and_of_meaning_come_at_once(tmp_path):
     )
     with pytest.raises(InputError) as caught:
         read_sweep(file)
-    told = {fault.where: str(fault) for fault in caught.value.faults}
-    assert set(told) == {"duration", "sample", "over.mass", "tolerance", "floor.peak", "drop_hight", "radios"}
-    assert "did you mean drop_height" in told["drop_hight"]
-    assert len(caught.value.faults) == len(told)
+    reported = {fault.where: str(fault) for fault in caught.value.faults}
+    assert set(reported) == {"duration", "sample", "over.mass", "tolerance", "floor.peak", "drop_hight", "radios"}
+    assert "did you mean drop_height" in reported["drop_hight"]
+    assert len(caught.value.faults) == len(reported)
 
 
 def test_a_file_has_the_keys_of_sweep():

@@ -150,12 +150,12 @@ def test_a_signal_ends_it_at_once_and_what_there_is_is_kept(tmp_path, arguments,
     ended = signalled(tmp_path, arguments, moment, number)
     assert ended.code == code, ended.said
     assert ended.imported < IMPORTS, ended.after
-    told = whole(tmp_path)
-    assert (told and told["outcome"]) == outcome
+    reported = whole(tmp_path)
+    assert (reported and reported["outcome"]) == outcome
     if outcome is not None:
         (run,) = (tmp_path / "runs").iterdir()
         assert not (run / "slider_pin.png").exists()
-        assert any("slider_pin.png is missing" in warning for warning in told["warnings"])
+        assert any("slider_pin.png is missing" in warning for warning in reported["warnings"])
         assert "slider_pin.png is missing" in ended.said.replace("\r\n", " ")
 
 
@@ -209,23 +209,23 @@ def test_a_picture_that_fails_is_reported_and_alone_missing(run, monkeypatch, pl
         place if place is Solution else f"{place}.{name}", *((name, fails) if place is Solution else (fails,))
     )
     without = [] if place is not Solution else ["--no-plots"]
-    code, said, told = run("--averages", *without)
+    code, said, reported = run("--averages", *without)
     assert code == 1
-    assert told["outcome"] == "finished"
+    assert reported["outcome"] == "finished"
     (folder,) = Path("runs").iterdir()
     assert {path.name for path in folder.iterdir()} == files - lost
-    (warning,) = (text for text in told["warnings"] if "on purpose" in text)
+    (warning,) = (text for text in reported["warnings"] if "on purpose" in text)
     assert warning in said
 
 
 def test_impacts_that_cannot_be_found_lose_no_data(run, monkeypatch):
     monkeypatch.setattr("hertzwerk.runtime.engine.solution.step_observers.Watch.impacts", fails)
-    code, said, told = run("--no-plots")
+    code, said, reported = run("--no-plots")
     assert code == 1
-    assert told["impacts"] == []
+    assert reported["impacts"] == []
     assert "impacts could not be found: ZeroDivisionError" in said
     (folder,) = Path("runs").iterdir()
-    assert len(Solution.load(folder / "states.npz")["energy"]) == told["rows"]
+    assert len(Solution.load(folder / "states.npz")["energy"]) == reported["rows"]
 
 
 def test_a_disk_too_full_for_the_states_still_gets_what_is_known_of_the_run(run, monkeypatch, tmp_path):
@@ -247,13 +247,13 @@ def test_a_disk_too_full_for_the_states_still_gets_what_is_known_of_the_run(run,
 
 def test_a_large_csv_is_written_on_request_only(run, monkeypatch):
     monkeypatch.setattr(run_folder, "CSV_LIMIT", 1000)
-    code, said, told = run("--no-plots")
+    code, said, reported = run("--no-plots")
     assert code == 0
     (folder,) = Path("runs").iterdir()
     assert {path.name for path in folder.iterdir()} == {"states.npz", "run.json"}
     for way in ("--table", "--grid", "to_file"):
         assert way in said
-        assert any(way in text for text in told["warnings"])
+        assert any(way in text for text in reported["warnings"])
     done = CliRunner().invoke(main, ["run", "two_spheres", "--no-plots", "--table", "forced.csv", "--out", "forced"])
     assert done.exit_code == 0
     size = Path("forced.csv").stat().st_size

@@ -21,8 +21,8 @@ TOLERANCE, DURATION = 1e-7, 2.0
 def exported(folder, target, duration, *, method="dop853", tolerance=TOLERANCE, parameters=None, outputs=(), **rest):
     model = engine_model(target) if isinstance(target, str) else target
     settings = Settings(duration, None, tolerance, method)
-    asked = ExportRequest(model, parameters or {}, rest.pop("initial", {}), settings, outputs)
-    c_library.write(asked, folder)
+    requested = ExportRequest(model, parameters or {}, rest.pop("initial", {}), settings, outputs)
+    c_library.write(requested, folder)
     return Library(compile_c(folder, f"{model.name}.c", shared="library.so", **rest), model.name)
 
 

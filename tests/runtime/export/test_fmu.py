@@ -44,8 +44,8 @@ UNKNOWNS = ("slide.travel", "slide.speed", "slide.acceleration")
 def made(folder, model, name, fmi=3, duration=DURATION):
     file = folder / f"{name}.fmu"
     model = model.with_signals({}) if isinstance(model, str) else model
-    asked = ExportRequest(model, {}, {}, Settings(duration, None, TOLERANCE, "dop853"), (), fmi)
-    fmu.write(asked, file)
+    requested = ExportRequest(model, {}, {}, Settings(duration, None, TOLERANCE, "dop853"), (), fmi)
+    fmu.write(requested, file)
     return file
 
 
@@ -114,15 +114,15 @@ def test_it_is_valid_and_gives_the_bits_of_a_run(pushed):
 
 def test_it_reports_units_starts_and_causality(pushed):
     by_name = {v.name: v for v in pushed[1].modelVariables}
-    found = {name: (v.causality, v.variability, v.unit, v.displayUnit, v.start) for name, v in by_name.items()}
-    assert found["radius"] == ("parameter", "fixed", "m", "mm", "0.01")
-    assert found["stiffness"] == ("parameter", "fixed", "N/m^1.5", None, "1000000.0")
-    assert found["push"] == ("input", "continuous", "N", None, "0.0")
-    assert found["push.rate"][:3] == ("input", "continuous", "N/s")
-    assert found["start.slide.speed"] == ("parameter", "fixed", "m/s", None, "0.0")
-    assert found["start.slide.travel"] == ("parameter", "fixed", "m", None, "0.1")
-    assert found["slide.speed"] == ("output", "continuous", "m/s", None, None)
-    assert found["wall.mode"][:2] == ("output", "discrete")
+    actual = {name: (v.causality, v.variability, v.unit, v.displayUnit, v.start) for name, v in by_name.items()}
+    assert actual["radius"] == ("parameter", "fixed", "m", "mm", "0.01")
+    assert actual["stiffness"] == ("parameter", "fixed", "N/m^1.5", None, "1000000.0")
+    assert actual["push"] == ("input", "continuous", "N", None, "0.0")
+    assert actual["push.rate"][:3] == ("input", "continuous", "N/s")
+    assert actual["start.slide.speed"] == ("parameter", "fixed", "m/s", None, "0.0")
+    assert actual["start.slide.travel"] == ("parameter", "fixed", "m", None, "0.1")
+    assert actual["slide.speed"] == ("output", "continuous", "m/s", None, None)
+    assert actual["wall.mode"][:2] == ("output", "discrete")
     assert by_name["push"].description == "force away from the wall"
     units = {unit.name: unit.baseUnit for unit in pushed[1].unitDefinitions}
     assert (units["N"].kg, units["N"].m, units["N"].s) == (1, 1, -2)
@@ -198,9 +198,9 @@ def test_derivatives_of_the_last_step_by_inputs(pushed):
 def test_it_returns_early_at_an_impact_where_requested_and_logs_it(pushed):
     said = []
     unit = Unit(pushed, early=True, push=-3.0, log=lambda _, status, *text: said.append((status, *text)))
-    found = unit.step(DURATION)
+    actual = unit.step(DURATION)
     if unit.is_3:
-        assert found[2]
+        assert actual[2]
         fall = (2 * (0.1 - 0.01) * MASS / 3) ** 0.5
         assert unit.t == pytest.approx(fall, rel=1e-9)
         assert unit.get("wall.mode")[0] == 1
@@ -229,9 +229,9 @@ def test_a_bad_name_and_an_existing_file_are_refused_at_once(tmp_path):
     taken.write_text("kept")
     faults = fmu.faults(taken)
     assert [fault.where for fault in faults] == ["--fmu"] * 3
-    told = " ".join(map(str, faults))
+    reported = " ".join(map(str, faults))
     for word in ("exists", ".fmu", "identifier"):
-        assert word in told
+        assert word in reported
     assert [str(f) for f in fmu.faults(tmp_path / "while.fmu")] != []
     assert fmu.faults(tmp_path / "ball_1.fmu") == []
     with pytest.raises(InputError, match="SUNDIALS"):

@@ -58,9 +58,9 @@ def mount(scene=None, **given):
 
 def test_vibrations_on_a_bushing():
     """Six frequencies of M x'' + K x = 0, by scipy.linalg.eigh."""
-    found = modes(load(floating(mount())))
+    actual = modes(load(floating(mount())))
     squares = eigh(STIFF, np.diag([MASS] * 3 + list(INERTIA)), eigvals_only=True)
-    assert np.sort(found.frequencies) == pytest.approx(np.sqrt(squares) / (2 * np.pi), rel=1e-7)
+    assert np.sort(actual.frequencies) == pytest.approx(np.sqrt(squares) / (2 * np.pi), rel=1e-7)
 
 
 LARGE = {
@@ -156,8 +156,8 @@ def test_series_beside_no_rotation_are_those_of_the_arc_and_its_bend():
             s = mp.sqrt(square)
             arc = mp.asin(s) / s
             for known, exact in ((ARCS, arc), (BENDS, (1 - arc * mp.sqrt(1 - square)) / square)):
-                found = sum(mpf(k.p) / k.q * square**i for i, k in enumerate(known))
-                assert abs(found / exact - 1) < mpf("2e-15")
+                actual = sum(mpf(k.p) / k.q * square**i for i, k in enumerate(known))
+                assert abs(actual / exact - 1) < mpf("2e-15")
 
 
 def test_a_potential_of_directions_is_gravity():

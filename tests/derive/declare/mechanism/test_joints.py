@@ -54,10 +54,10 @@ def test_a_free_body_about_its_mass_centre_costs_eulers_equations_alone():
     """Newton's and Euler's equations do not meet: three divisions, and three gyroscopic moments, each with its division."""
     body = hd.Body("body", MASS, TRIPLE, (hd.Parameter("s", "m", 0.1), 0, 0))
     joint = hd.Free("float", hd.GROUND, body.at(hd.Parameter("s", "m", 0.1), 0, 0))
-    found = Derived(hd.Scene(hd.Mechanism("body", (joint,)), (hd.EnergyLedger(),), SIZES))
-    assert dict(found.OPERATIONS)["accelerations"] <= 3 + 3 * 5
+    result = Derived(hd.Scene(hd.Mechanism("body", (joint,)), (hd.EnergyLedger(),), SIZES))
+    assert dict(result.OPERATIONS)["accelerations"] <= 3 + 3 * 5
     u = np.array([1.0, 2.0, 3.0, 0.4, -0.5, 0.6])
-    a, _ = found.call("accelerations", q=[0, 0, 0, 1, 0, 0, 0], u=u, f=np.arange(1.0, 7.0))
+    a, _ = result.call("accelerations", q=[0, 0, 0, 1, 0, 0, 0], u=u, f=np.arange(1.0, 7.0))
     w, inertia = u[3:], np.array([0.07, 0.05, 0.03])
     assert a == pytest.approx(
         [*(np.arange(1.0, 4.0) / 0.9), *((np.arange(4.0, 7.0) - np.cross(w, inertia * w)) / inertia)], rel=1e-14
@@ -75,21 +75,21 @@ BODY, OTHER = hd.Body("body", MASS, TRIPLE), hd.Body("other", MASS, TRIPLE)
 
 
 def test_names_are_those_of_the_joint_and_its_motions():
-    found = Derived(scene(hd.Free("float", hd.GROUND, BODY), hd.Universal("cross", BODY, OTHER)))
+    result = Derived(scene(hd.Free("float", hd.GROUND, BODY), hd.Universal("cross", BODY, OTHER)))
     coordinates = ["x", "y", "z", "q0", "q1", "q2", "q3"]
-    assert [name for name, _ in found.COORDINATES] == [
+    assert [name for name, _ in result.COORDINATES] == [
         *(f"float.{name}" for name in coordinates),
         "cross.angle_1",
         "cross.angle_2",
     ]
-    assert found.SPEEDS[:4] == (
+    assert result.SPEEDS[:4] == (
         ("float.x_speed", "m/s"),
         ("float.y_speed", "m/s"),
         ("float.z_speed", "m/s"),
         ("float.angular_speed_x", "rad/s"),
     )
-    assert found.QUATERNIONS == (3,)
-    assert (found.nq, found.nu) == (9, 8)
+    assert result.QUATERNIONS == (3,)
+    assert (result.nq, result.nu) == (9, 8)
 
 
 def test_a_start_names_coordinates_and_an_orientation_is_normalised():
@@ -202,10 +202,10 @@ def test_an_axis_that_points_nowhere_hides_no_other_fault():
             hd.Universal("cross", BODY, OTHER, hd.X, hd.X),
             effects=(drive,),
         )
-    found = {fault.where: fault for fault in caught.value.faults}
-    assert set(found) == {"joint pin, axis", "joint cross", "effect drive", "table lift"}
-    assert found["table lift"].found == "argument 1.0 after 2.0 in place 3"
-    assert "Sort the rows" in found["table lift"].remedy
+    result = {fault.where: fault for fault in caught.value.faults}
+    assert set(result) == {"joint pin, axis", "joint cross", "effect drive", "table lift"}
+    assert result["table lift"].found == "argument 1.0 after 2.0 in place 3"
+    assert "Sort the rows" in result["table lift"].remedy
 
 
 @pytest.mark.parametrize("joint", [hd.Spherical, hd.Free, hd.Weld])

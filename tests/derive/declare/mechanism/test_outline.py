@@ -155,7 +155,7 @@ def test_all_faults_come_at_once():
     track = hd.PointInTrack("groove", hd.GROUND, PLATE, BLOCK)
     with pytest.raises(hd.InputError) as error:
         hd.Scene(hd.Mechanism("faulty", (SHAFT, FREE, track), pairs), (), SCALES)
-    found = str(error.value)
+    result = str(error.value)
     for text in (
         "curve clockwise: found a closed chain that runs clockwise",
         "curve apart: found ends 0.0566 m apart",
@@ -176,4 +176,4 @@ def test_all_faults_come_at_once():
         "open curve as a hole",
         "joint groove, curve block: found a corner at the end of its piece 3",
     ):
-        assert text in found, text
+        assert text in result, text

@@ -53,8 +53,8 @@ def test_an_effect_that_moves_nothing_is_refused(label):
 
 def test_all_of_them_are_named_and_the_others_are_not():
     spring = hd.JointSpring("spring", "track", STIFFNESS)
-    found = refused(TRACK, effects=(*IDLE.values(), spring, hd.EnergyLedger()))
-    assert list(found) == ["effect gravity", "effect push", "effect twist", "effect store"]
+    result = refused(TRACK, effects=(*IDLE.values(), spring, hd.EnergyLedger()))
+    assert list(result) == ["effect gravity", "effect push", "effect twist", "effect store"]
     hd.derive(scene(TRACK, effects=(spring, hd.EnergyLedger())))
 
 

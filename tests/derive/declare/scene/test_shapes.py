@@ -109,14 +109,14 @@ def test_every_field_takes_what_it_takes_or_says_so(name):
     record, use = DECLARED[name]
     use(record)
     assert is_dataclass(record)
-    told = 0
+    reported = 0
     for entry in fields(record):
         for value in BAD:
             error = refused(lambda: use(replace(record, **{entry.name: value})))  # noqa: B023 -- called here
             if error is not None:
-                told += 1
+                reported += 1
                 assert all(len(fault.expected) > 3 and not fault.expected.endswith("one of ") for fault in error.faults)
-    assert told >= 4 * len(fields(record))
+    assert reported >= 4 * len(fields(record))
 
 
 @each("value", [None, 5, [1], object()])

@@ -74,10 +74,10 @@ def test_its_stored_energy_is_the_integral_of_its_force():
     for exponent in (1, sp.Rational(3, 2), sp.Rational(27, 10)):
         values = {k: sp.Integer(1), n: exponent}
         for share in (0.2, 1.0):
-            found = float(energy_begun(power, values, share, 1.0))
+            actual = float(energy_begun(power, values, share, 1.0))
             y = sp.Symbol("y")
             exact = 2 * sp.Integral((2 * (y**3 - y**4 / 2)) ** exponent, (y, 0, share)).evalf(20)
-            assert found == pytest.approx(float(exact), rel=1e-12)
+            assert actual == pytest.approx(float(exact), rel=1e-12)
 
 
 def test_energy_is_kept_through_smooth_impacts():
@@ -129,8 +129,8 @@ def test_laws_that_begin_too_steeply_are_refused():
 
 
 def test_the_sheet_states_the_deviation():
-    found = {point.penetration: point.smoothed for point in sheet(LAWS["johnson"]).points}
+    actual = {point.penetration: point.smoothed for point in sheet(LAWS["johnson"]).points}
     law = {point.penetration: point for point in sheet(LAWS["johnson"]).points}
-    assert found[1e-8] < -0.999
-    assert found[1e-4] == pytest.approx(-law[1e-4].exponent * 1e-2, rel=0.02)  # dF/F = -n epsilon/d
+    assert actual[1e-8] < -0.999
+    assert actual[1e-4] == pytest.approx(-law[1e-4].exponent * 1e-2, rel=0.02)  # dF/F = -n epsilon/d
     assert sheet(LAWS["power"]).points == ()

@@ -69,9 +69,9 @@ def test_everything_a_picture_shows_has_a_row_and_nothing_else(derived):
 
 
 def test_numbers_by_hand(derived):
-    found = dict(zip(((row[0], row[2]) for row in ROWS), derived.call("landmarks"), strict=True))
+    actual = dict(zip(((row[0], row[2]) for row in ROWS), derived.call("landmarks"), strict=True))
     for key, numbers in NUMBERS.items():
-        assert found[key] == pytest.approx(numbers, abs=1e-15), key
+        assert actual[key] == pytest.approx(numbers, abs=1e-15), key
 
 
 def test_effects_left_out_leave_no_landmark():

@@ -266,14 +266,14 @@ def quick_return() -> hd.Scene:
     "name", ["spatial", "turned points", "free, with a tail", "slender rods and a cross without mass", "quick return"]
 )
 def test_articulated_bodies_accelerate_as_elimination_has_it(name, monkeypatch):
-    found = []
+    result = []
     for longest in (0, 1000):
         monkeypatch.setattr(equations_of_motion, "LONG_PATH", longest)
-        found.append(Derived(quick_return() if name == "quick return" else SCENES[name]))
-    q, u = joints_state(found[0])
-    one, other = (each.call("accelerations", t=0.3, q=q, u=u, f=np.arange(1.0, len(u) + 1))[0] for each in found)
+        result.append(Derived(quick_return() if name == "quick return" else SCENES[name]))
+    q, u = joints_state(result[0])
+    one, other = (each.call("accelerations", t=0.3, q=q, u=u, f=np.arange(1.0, len(u) + 1))[0] for each in result)
     assert one == pytest.approx(other, rel=1e-8, abs=1e-9 * np.max(np.abs(other)))
-    assert found[0].OPERATIONS != found[1].OPERATIONS  # two ways
+    assert result[0].OPERATIONS != result[1].OPERATIONS  # two ways
 
 
 @pytest.mark.parametrize(("axes", "lengths"), [("Z", (11, 12, 13)), ("ZYX", (12, 15, 18))])
@@ -323,8 +323,8 @@ def test_auto_keeps_the_joints_where_absolute_coordinates_cannot_be_had():
 
 
 def test_a_body_that_nothing_turns_and_one_that_is_driven_have_no_coordinates_for_it():
-    found = Derived(slider_crank.with_coordinates("absolute"))
-    assert [name for name, _ in found.COORDINATES] == ["rod.x", "rod.y", "rod.angle", "slider.x", "slider.y"]
+    result = Derived(slider_crank.with_coordinates("absolute"))
+    assert [name for name, _ in result.COORDINATES] == ["rod.x", "rod.y", "rod.angle", "slider.x", "slider.y"]
 
 
 def test_a_base_joint_is_named_after_its_body_unless_a_joint_is():
@@ -358,13 +358,13 @@ def test_unknown_inertias_are_reported_all_at_once():
     thin = hd.Body("thin", MASS, (0, ACROSS, ACROSS))
     chained = (one, hd.Z, ORIGIN), (two, hd.X, ALONG_X), (three, hd.X, ALONG_X), (thin, hd.Z, ORIGIN)
     tips = [hd.Body("tip", MASS, inertia) for inertia in ((ACROSS, 0, ACROSS), full)]
-    found, other = (faults_of(hung(*chained, last=(hd.Weld("glued", thin.at(*ALONG_X), tip),))) for tip in tips)
-    assert found == {
+    result, other = (faults_of(hung(*chained, last=(hd.Weld("glued", thin.at(*ALONG_X), tip),))) for tip in tips)
+    assert result == {
         "body two, inertia": "J_across, about the joint's axis alone",
         "body three, inertia": "(nothing, J_across, J_across), zero at the defaults",
         "body thin, inertia": "(0, J_across, J_across), and welded to it tip, without one about every axis",
     }
-    assert other.keys() == found.keys() - {"body thin, inertia"}
+    assert other.keys() == result.keys() - {"body thin, inertia"}
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
@@ -397,8 +397,8 @@ def test_coordinates_that_cannot_be_measured_are_refused_all_at_once():
         hd.JointForce("twist", "axle", K * sp.sin(hd.coordinate_of("wrist.t2"))),
         hd.JointForce("tug", "axle", K * sp.sin(hd.coordinate_of("axle"))),
     )
-    found = faults_of(replace(hung_hand, effects=(*hung_hand.effects, *effects)))
-    assert found == {
+    result = faults_of(replace(hung_hand, effects=(*hung_hand.effects, *effects)))
+    assert result == {
         f"effect {effect}": f"wrist.{turn}, of a wrist joint"
         for effect, turn in (("torsion", "t1"), ("oil", "t0"), ("twist", "t2"))
     }

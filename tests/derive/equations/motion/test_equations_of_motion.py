@@ -162,14 +162,14 @@ def of_random_trees(count):
 def test_random_trees_equal_kanes_method(tree):
     """Up to eight bodies in a plane or in space: accelerations, reactions and the balance of powers; 50 s a tree."""
     try:
-        found = Derived(tree.scene())
+        actual = Derived(tree.scene())
     except hd.InputError as error:  # gravity along the only axis that something turns about
         assert [fault.found for fault in error.faults] == ["no equation that it enters"]
         reject()
-    assert deviation(tree, found, 2) < 1e-10
+    assert deviation(tree, actual, 2) < 1e-10
     for t, q, u, force in tree.states(1, seed=1):
         work = force @ tree.whole(t, u, speeds=True)
-        assert energy_balance(found, t, q, u, rows(tree, force), work) < 1e-12
+        assert energy_balance(actual, t, q, u, rows(tree, force), work) < 1e-12
 
 
 @pytest.mark.parametrize("name", ["spherical", "free", "two balls"])

@@ -143,14 +143,14 @@ def test_accelerations_multipliers_and_reactions_solve_the_saddle_point_system(n
 def test_constraints_their_rates_and_the_projection(name, kind):
     case = closed(name, kind)
     free = case.tree.free
-    found = Derived(case.scene)
+    actual = Derived(case.scene)
     q, u, t = case.q[free], case.u[free], 0.3
-    phi, rate = found.call("constraints", t=t, q=q, u=u)
+    phi, rate = actual.call("constraints", t=t, q=q, u=u)
     assert phi == pytest.approx(np.zeros(2), abs=1e-14)
     assert rate == pytest.approx(np.zeros(2), abs=1e-13)
     shifted = case.q + np.where(np.isin(np.arange(len(case.q)), free), 0.01, 0.0)
-    assert found.call("constraints", t=t, q=shifted[free], u=u)[0] == pytest.approx(case.phi(shifted), abs=1e-13)
-    pushed, independence = found.call("projection", t=t, q=q, wanted=[0.3, -0.2])
+    assert actual.call("constraints", t=t, q=shifted[free], u=u)[0] == pytest.approx(case.phi(shifted), abs=1e-13)
+    pushed, independence = actual.call("projection", t=t, q=q, wanted=[0.3, -0.2])
     G = case.jacobian(case.q)[:, free]
     assert G @ pushed == pytest.approx([0.3, -0.2], rel=1e-9)
     mass, _ = case.tree.mass_and_forcing(case.q, case.u)
@@ -249,8 +249,8 @@ def test_faults_of_closing_joints_come_all_at_once():
             effects=(*scene.effects, ConstantSpeed("drive", "closing", speed)),
             start=Start(position={"closing": Parameter("turn_in", "rad", 0.1)}),
         )
-    found = {fault.where: fault for fault in error.value.faults}
-    assert "free joint" in found["joint loose"].found
-    assert found["effect drive"].found == "joint 'closing', which closes a loop"
-    assert "declare this one before" in found["effect drive"].remedy
-    assert "closes a loop, its motion follows" in found["start"].found
+    actual = {fault.where: fault for fault in error.value.faults}
+    assert "free joint" in actual["joint loose"].found
+    assert actual["effect drive"].found == "joint 'closing', which closes a loop"
+    assert "declare this one before" in actual["effect drive"].remedy
+    assert "closes a loop, its motion follows" in actual["start"].found

@@ -74,9 +74,9 @@ def test_units_are_found_as_the_formula_has_them():
 
 @pytest.mark.parametrize(("n", "unit"), [(1, "N/m^0.5"), (1.1, "N/m^0.4"), (1.5, "N"), (2, "N m^0.5")])
 def test_the_unit_of_another_exponent(n, unit):
-    found = exponent_unit(n)
-    assert (found.unit, found.consistent) == (unit, n == 1.5)
-    assert found.in_mm == pytest.approx(1000 ** (n - 1.5))
+    actual = exponent_unit(n)
+    assert (actual.unit, actual.consistent) == (unit, n == 1.5)
+    assert actual.in_mm == pytest.approx(1000 ** (n - 1.5))
 
 
 def test_inconsistent_laws_run_unchecked_and_consistent_ones_checked():

@@ -33,12 +33,12 @@ def sheets():
 
 
 def test_every_law_has_a_sheet_that_is_json(sheets):
-    for name, found in sheets.items():
-        assert json.loads(json.dumps(found.record()))["name"] == name
-        assert found.grade_meaning == GRADES[LAWS[name].grade]
-        assert found.formulas
-        assert all(f.text and f.latex for f in (*found.formulas, *found.definitions))
-        explained = {entry.name for entry in found.symbols} | {f.symbol for f in found.definitions}
+    for name, result in sheets.items():
+        assert json.loads(json.dumps(result.record()))["name"] == name
+        assert result.grade_meaning == GRADES[LAWS[name].grade]
+        assert result.formulas
+        assert all(f.text and f.latex for f in (*result.formulas, *result.definitions))
+        explained = {entry.name for entry in result.symbols} | {f.symbol for f in result.definitions}
         assert {q.name for q in LAWS[name].quantities} <= explained
 
 
@@ -74,11 +74,11 @@ def test_local_exponent_is_the_slope_in_a_log_log_plot(sheets, name):
 def test_exponents_of_the_models_named_after_the_paper(sheets):
     """The models named after it have n = 1, at every penetration; the secant of Liu's law is stated so too, and is 3/2 at small penetration."""
     for name in ("wang_liu_internal", "wang_liu_external"):
-        found = sheets[name]
-        assert (found.exponent, found.local_exponent, found.law.grade) == ("1", "1", "R")
-    found = sheets["wang_liu_secant"]
-    assert (found.exponent, found.local_exponent, found.law.grade) == ("1", "", "R")
-    assert found.points[0].exponent == pytest.approx(1.5, abs=2e-5)
+        result = sheets[name]
+        assert (result.exponent, result.local_exponent, result.law.grade) == ("1", "1", "R")
+    result = sheets["wang_liu_secant"]
+    assert (result.exponent, result.local_exponent, result.law.grade) == ("1", "", "R")
+    assert result.points[0].exponent == pytest.approx(1.5, abs=2e-5)
     assert sheets["galin_sneddon"].local_exponent == "(k + 1)/k"
 
 

@@ -136,8 +136,8 @@ def test_every_symbol_without_a_unit_or_a_value_is_reported_at_once():
     method, at, units, values = models.pendulum(extra=wind + k)
     with pytest.raises(hd.InputError) as caught:
         hd.from_sympy(method, units=units, parameters={**values, "m": True, sp.Symbol("drag"): 1}, origin=at["O"])
-    told = {fault.where: fault.found for fault in caught.value.faults}
-    assert told == {
+    reported = {fault.where: fault.found for fault in caught.value.faults}
+    assert reported == {
         "symbol m": "value True", "symbol k": "no value", "symbol wind": "no unit", "values, drag": "no such symbol in the model",
         "function wind(t)": "neither a coordinate nor a speed, and not specified",
     }  # fmt: skip
@@ -227,8 +227,8 @@ def test_pendulums_on_a_cart_have_the_accelerations_of_the_textbook():
                 M[i + 1, k + 1] = beyond[max(i, k)] * l[i] * l[k] * np.cos(q[i + 1] - q[k + 1])
                 f[i + 1] -= beyond[max(i, k)] * l[i] * l[k] * np.sin(q[i + 1] - q[k + 1]) * u[k + 1] ** 2
         force = derived.call("applied", q=q, u=u)
-        found, *_ = derived.call("accelerations", q=q, u=u, f=force)
-        assert found == pytest.approx(np.linalg.solve(M, f), rel=1e-10, abs=1e-10)
+        result, *_ = derived.call("accelerations", q=q, u=u, f=force)
+        assert result == pytest.approx(np.linalg.solve(M, f), rel=1e-10, abs=1e-10)
 
 
 def test_a_rattleback_turns_back_as_newtons_and_eulers_equations_say():
@@ -307,10 +307,10 @@ def test_whipples_bicycle_has_its_published_eigenvalues():
     names = [f"{joint}.{what}" for what in ("angle", "speed") for joint in ("lean", "steer")]
     by = run.sensitivities(*names)
     growth = np.array([[by[of, name][-1] for name in names] for of in names])
-    found = np.sort_complex(np.log(np.linalg.eigvals(growth).astype(complex)) / 0.2)
+    result = np.sort_complex(np.log(np.linalg.eigvals(growth).astype(complex)) / 0.2)
     weave = -0.77534188219585 + 4.46486771378823j
     published = np.sort_complex(np.array([-14.07838969279822, -0.32286642900409, weave, weave.conjugate()]))
-    assert found == pytest.approx(published, rel=1e-8)
+    assert result == pytest.approx(published, rel=1e-8)
 
 
 def test_weight_with_a_stored_potential_does_no_other_work():

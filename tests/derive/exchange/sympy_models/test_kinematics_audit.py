@@ -69,11 +69,11 @@ def test_pydys_conical_pendulum_turns_otherwise_than_its_axes_say():
     def as_pydy(frames, i, omega, delta, beta):
         frames[i + 1].set_ang_vel(frames[0], omega * frames[0].z + delta * frames[0].x)
 
-    found = refused(*conical(as_pydy), names="m l g J")
-    assert list(found) == [
+    result = refused(*conical(as_pydy), names="m l g J")
+    assert list(result) == [
         f"angular velocity of {link} in I" for link in "ABC"
     ]  # no point, for these follow the frames
-    was_set, follows = found["angular velocity of A in I"]
+    was_set, follows = result["angular velocity of A in I"]
     assert was_set.startswith("delta0(t)*I.x + omega0(t)*I.z,")
     assert follows.startswith("delta0(t)*I.x - omega0(t)*sin(beta0(t))*I.y + omega0(t)*cos(beta0(t))*I.z,")
 

@@ -229,7 +229,7 @@ def faults_of(folder: Path, text: str, base: str = "fixed") -> str:
 
 
 def test_every_fault_of_elements_is_reported_at_once(tmp_path):
-    told = faults_of(
+    said = faults_of(
         tmp_path,
         '<robot name="r"><link name="a"><inertial><mass value="heavy"/><inertia ixx="1" iyy="nan" izz="1"/></inertial>'
         '<collision><geometry><sphere radius="-1"/></geometry></collision></link><link/>'
@@ -244,11 +244,11 @@ def test_every_fault_of_elements_is_reported_at_once(tmp_path):
         "joint j, axis.xyz: found none; expected three numbers",
         "joint k, parent: found none; expected reference to a link",
     ):
-        assert part in told, told
+        assert part in said, said
 
 
 def test_every_fault_between_elements_is_reported_at_once(tmp_path):
-    told = faults_of(
+    said = faults_of(
         tmp_path,
         '<robot name="r"><link name="base"/><link name="a"/>'
         + "".join(LINK.format(link, "0 0 0", "0 0 0", "") for link in ("b", "c", "c-1", "c_1"))
@@ -267,15 +267,15 @@ def test_every_fault_between_elements_is_reported_at_once(tmp_path):
         "joint m, mimic: found none, which is no joint",
         "joint m, joint n: found c, which another joint carries too",
     ):
-        assert part in told, told
+        assert part in said, said
 
 
 def test_a_moving_link_without_inertia_is_named(tmp_path):
     text = '<robot name="r"><link name="base"/><link name="a"/><link name="tool"/>'
-    told = faults_of(
+    said = faults_of(
         tmp_path, text + joint("j", "revolute", "base", "a") + joint("k", "fixed", "a", "tool") + "</robot>"
     )
-    assert "link a: found no <inertial>, and joint j moves it" in told
+    assert "link a: found no <inertial>, and joint j moves it" in said
 
 
 @pytest.mark.parametrize(
@@ -365,12 +365,12 @@ def test_a_joint_locked_at_a_value_takes_those_that_mimic_it_with_it(tmp_path):
     )
     assert not robot.effects and not robot.limits and not robot.friction
     assert [type(j).__name__ for j in robot.mechanism.joints] == ["Revolute", "Weld", "Weld", "Weld"]
-    found = [
+    result = [
         float(sp.sympify(x).xreplace({p: p.si for p in sp.sympify(x).free_symbols}))
         for x in robot.mechanism.joints[1].parent.position
     ]
     along = Rotation.from_euler("z", 1.5).apply([0.03, 0, 0.04])
-    assert found == pytest.approx(np.array([0, 0, 0.5]) + along, abs=1e-15)
+    assert result == pytest.approx(np.array([0, 0, 0.5]) + along, abs=1e-15)
 
 
 def test_a_robot_that_only_floats(tmp_path):
@@ -393,12 +393,12 @@ def test_an_inertia_that_no_body_has_or_the_nearest_possible_one(tmp_path, inert
     robot = hd.from_urdf(path, inertia="nearest")
     xx, xy, xz, yy, yz, zz = inertia
     given = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    found = np.array([[float(getattr(value, "si", value)) for value in row] for row in robot.bodies["shin"].tensor])
-    values, axes = np.linalg.eigh(found)
+    result = np.array([[float(getattr(value, "si", value)) for value in row] for row in robot.bodies["shin"].tensor])
+    values, axes = np.linalg.eigh(result)
     size = np.abs(given).max()
     assert values[0] >= 0 and values[2] <= values[0] + values[1] + 1e-9 * size
-    rest = given - found
-    assert abs(np.sum(rest * found)) < 1e-8 * size**2
+    rest = given - result
+    assert abs(np.sum(rest * result)) < 1e-8 * size**2
     for axis in (*axes.T, *np.random.default_rng(3).normal(size=(50, 3))):
         assert np.sum(rest * (np.eye(3) - np.outer(axis, axis) / (axis @ axis))) < 1e-8 * size
     (repair,) = robot.repairs

@@ -63,17 +63,17 @@ def share(laws, seeds):
 
 def test_a_wrong_unit_is_named_first_in_each_of_some_laws():
     laws = [LAWS[name] for name in ("hertz_point", "johnson", "flores", "lugre", "kuwabara_kono")]
-    found, count = share(laws, SEEDS[:2])
+    actual, count = share(laws, SEEDS[:2])
     assert count > 30
-    assert found == 1.0
+    assert actual == 1.0
 
 
 @pytest.mark.exhaustive
 def test_a_wrong_unit_is_named_first_over_the_whole_catalogue():
     """Of the seeded units that are seen at all: a factor that cancels is not. Takes minutes."""
-    found, count = share(CONSISTENT, SEEDS)
+    actual, count = share(CONSISTENT, SEEDS)
     assert count > 1500
-    assert found > 0.99
+    assert actual > 0.99
 
 
 CUBIC = """

@@ -129,11 +129,11 @@ def test_two_forces_that_cancel_go_together_and_two_small_ones_do_not():
     assert alone["push"] == pytest.approx(-0.3 / shifted, rel=1e-5)
     assert alone["breath"] == pytest.approx(alone["draught"], rel=1e-5)
     assert alone["breath"] == pytest.approx(7e-3 / shifted, rel=1e-5)
-    found = study.smallest
-    assert set(found.left_out) in ({"pull", "push", "breath"}, {"pull", "push", "draught"})
-    assert found.change == pytest.approx(7e-3 / shifted, rel=1e-4)
-    assert study.record()["smallest"] == list(found.effects)
-    assert found.complete
+    actual = study.smallest
+    assert set(actual.left_out) in ({"pull", "push", "breath"}, {"pull", "push", "draught"})
+    assert actual.change == pytest.approx(7e-3 / shifted, rel=1e-4)
+    assert study.record()["smallest"] == list(actual.effects)
+    assert actual.complete
 
 
 def searched(changes, within, following=None, most=80):
@@ -151,16 +151,16 @@ def test_the_search_tries_all_together():
 
 def test_dependent_effects_go_together_and_failing_runs_keep_theirs():
     following = {"contact": frozenset({"contact", "friction"}), "friction": frozenset({"friction"})}
-    found = searched({"contact": 1.0, "friction": -1.0}, 0.5, following)
-    assert found.left_out == ("contact", "friction")
+    actual = searched({"contact": 1.0, "friction": -1.0}, 0.5, following)
+    assert actual.left_out == ("contact", "friction")
     assert searched({"a": math.inf, "b": 0.0}, 0.5).effects == ("a",)
 
 
 def test_the_search_is_bounded_and_says_so():
     names = {f"e{i}": 10.0 + i for i in range(12)}
-    found = searched(names, 1.0, most=20)
-    assert found.tried <= 20
-    assert not found.complete
+    actual = searched(names, 1.0, most=20)
+    assert actual.tried <= 20
+    assert not actual.complete
     assert searched(names, 1.0).complete  # 12 alone, 66 pairs
 
 

@@ -327,9 +327,9 @@ def test_where_a_drive_of_given_speed_is_later_is_not_known():
     turned = Drive("crank_drive", "main_bearing", speed=Parameter("w", "rad/s", 500))
     model = engine_model(slider_crank.replace(crank_drive=turned))
     assert equilibrium(model).converged
-    for ask in (equilibrium, modes):
+    for request in (equilibrium, modes):
         with pytest.raises(InputError, match=r"t = 0.001 s, for which main_bearing.angle would have to be integrated"):
-            ask(model, at="1 ms")
+            request(model, at="1 ms")
 
 
 def test_bad_input_is_named():

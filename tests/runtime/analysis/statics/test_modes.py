@@ -81,8 +81,8 @@ def test_a_hanging_chain_and_the_zeros_of_bessels_function():
             scales,
         )
     )
-    found = 2 * math.pi * modes(model, initial={"hinge_0.angle": "1 rad", "hinge_3.angle": "-2 rad"}).frequencies
-    assert found == pytest.approx(hanging(LINKS), rel=1e-8)
+    actual = 2 * math.pi * modes(model, initial={"hinge_0.angle": "1 rad", "hinge_3.angle": "-2 rad"}).frequencies
+    assert actual == pytest.approx(hanging(LINKS), rel=1e-8)
     bessel = jn_zeros(0, 3) / 2 * math.sqrt(G / LENGTH)
     errors = [np.abs(hanging(n)[:3] / bessel - 1) for n in (200, 400)]
     assert np.all(errors[1] < 0.01) and errors[0] / errors[1] == pytest.approx(np.full(3, 2), rel=0.02)
@@ -110,11 +110,11 @@ def test_masses_on_springs(springs, coordinates):
     model = engine_model(springs, coordinates=coordinates)
     rest = equilibrium(model)
     assert rest.q == pytest.approx(2 * G / 500 * np.array([3, 2, 1]), rel=1e-12)
-    found = modes(rest)
+    actual = modes(rest)
     w = 2 * math.sqrt(500 / 2) * np.sin((2 * np.arange(1, 4) - 1) * math.pi / 14)
-    assert [2 * math.pi * mode.natural_frequency for mode in found] == pytest.approx(w, rel=1e-10)
-    assert found.damping_ratios == pytest.approx(2 / 500 * w / 2, rel=1e-9)
-    shape = np.array([found[0].shape[f"slide_{i}.travel"] for i in range(3)])  # stretches: cosines
+    assert [2 * math.pi * mode.natural_frequency for mode in actual] == pytest.approx(w, rel=1e-10)
+    assert actual.damping_ratios == pytest.approx(2 / 500 * w / 2, rel=1e-9)
+    shape = np.array([actual[0].shape[f"slide_{i}.travel"] for i in range(3)])  # stretches: cosines
     wanted = np.cos(math.pi / 14 * np.array([1, 3, 5]))
     assert np.abs(shape / shape[0] - wanted / wanted[0]).max() < 1e-9
 
@@ -150,39 +150,39 @@ def turntable(drive):
 def test_a_bead_on_a_turntable_whose_turning_is_frozen(drive, coordinates):
     """Along the groove r'' = (w^2 - k/m) r; y = r sin(th) has y'' = s''/s y + 2 s'/s (y' - s'/s y) + (w^2 - k/m) y, s = sin(th)."""
     run = simulate(engine_model(turntable(drive), coordinates=coordinates), duration="0.7 s", tolerance=1e-8)
-    found, w, angle = modes(run, at="0.6 s"), 2 * TURN * 0.6, TURN * 0.6**2
+    actual, w, angle = modes(run, at="0.6 s"), 2 * TURN * 0.6, TURN * 0.6**2
     if coordinates == "tree":
         wanted, notes = 1j * math.sqrt(200 / 2 - w**2), 1
     else:
         s = np.array([math.sin(angle), w * math.cos(angle), 2 * TURN * math.cos(angle) - w**2 * math.sin(angle)])
         s = s / s[0]
         wanted, notes = np.roots([1, -2 * s[1], 2 * s[1] ** 2 - s[2] + 200 / 2 - w**2])[0], 2
-        assert "bead.y" in found.notes[-1]
-    (mode,) = found
+        assert "bead.y" in actual.notes[-1]
+    (mode,) = actual
     assert mode.eigenvalue == pytest.approx(wanted if wanted.imag > 0 else wanted.conjugate(), rel=1e-5)
-    assert len(found.notes) == notes
+    assert len(actual.notes) == notes
 
 
 def test_orientations_that_nothing_holds_are_zeros_and_reported():
     """A ball in a socket, turned by 1 rad: three turns, two swings sqrt(g/(c + d)) of the point contact's normal, one bounce."""
     turned = {"float.q0": math.cos(0.5), "float.q1": 0, "float.q2": math.sin(0.5), "float.q3": 0}
     rest = equilibrium(engine_model("ball_in_socket"), initial=turned)
-    found = modes(rest)
+    actual = modes(rest)
     assert rest.outcome.name == "not_unique" and rest.indifferent == ("float.orientation",)
-    assert [bool(mode.eigenvalue) for mode in found] == [False] * 3 + [True] * 3
+    assert [bool(mode.eigenvalue) for mode in actual] == [False] * 3 + [True] * 3
     swing = math.sqrt(G / float(np.linalg.norm(rest.q[:3]))) / (2 * math.pi)
-    assert found.frequencies[:2] == pytest.approx([swing, swing], rel=1e-9)
+    assert actual.frequencies[:2] == pytest.approx([swing, swing], rel=1e-9)
 
 
 def test_texts_tables_and_pictures(pendulum, tmp_path):
-    found = modes(pendulum)
-    assert "0.498488 Hz" in str(found)[:30] or "0.4984879" in str(found)
-    assert repr(found) == "<Modes pendulum: 0.49849 Hz>"
-    assert "hinge.angle" in found._repr_html_() and "hinge.angle" in equilibrium(pendulum)._repr_html_()
-    found.plot().savefig(tmp_path / "modes.png")
+    actual = modes(pendulum)
+    assert "0.498488 Hz" in str(actual)[:30] or "0.4984879" in str(actual)
+    assert repr(actual) == "<Modes pendulum: 0.49849 Hz>"
+    assert "hinge.angle" in actual._repr_html_() and "hinge.angle" in equilibrium(pendulum)._repr_html_()
+    actual.plot().savefig(tmp_path / "modes.png")
     equilibrium(pendulum).plot().savefig(tmp_path / "rest.png")
-    frame = found.to_pandas()
-    assert list(frame.frequency) == list(found.frequencies) and frame.attrs["units"]["hinge.angle"] == "rad"
+    frame = actual.to_pandas()
+    assert list(frame.frequency) == list(actual.frequencies) and frame.attrs["units"]["hinge.angle"] == "rad"
 
 
 def test_the_inset_shows_where_the_pin_is_in_a_bush_that_has_turned():

@@ -58,10 +58,10 @@ def test_the_engine_returns_the_closed_form(study, name):
 
 def test_power_damping_of_m_equal_n_is_hysteresis(study):
     """chi = h K/v0 returns what the exact relation has for h."""
-    found = next(c for c in study.others if c.law == "power_damping")
-    assert found.parameter == "chi*v0/K"
-    known = [restitution(float(h)) for h in found.prescribed]
-    assert np.max(np.abs(found.simulated - known)) < 1e-9
+    result = next(c for c in study.others if c.law == "power_damping")
+    assert result.parameter == "chi*v0/K"
+    known = [restitution(float(h)) for h in result.prescribed]
+    assert np.max(np.abs(result.simulated - known)) < 1e-9
 
 
 def test_agreement_is_that_of_the_worst(study):
@@ -132,20 +132,20 @@ def test_mass_speed_and_stiffness_do_not_matter(name, value):
     """Five decades of stiffness, three of mass, one of speed: the same comes out, for the same e or the same number of the law's own."""
     trial = TRIALS[name]
     model = EngineModel(build(trial.scene))
-    found = []
+    result = []
     for impact in (Impact(), Impact(mass=0.02, speed=7.0, stiffness=3e10), Impact(mass=40, speed=0.3, stiffness=5e4)):
         unit = 1.0 if trial.recommended is not None else own_unit(trial, impact)
-        found.append(simulated(model, trial, value * unit, impact))
-    assert max(found) - min(found) < 1e-10
+        result.append(simulated(model, trial, value * unit, impact))
+    assert max(result) - min(result) < 1e-10
 
 
 def test_worst_is_of_the_recommended_range(study):
-    found = {c.law: c for c in study.curves}
-    ln = found["lankarani_nikravesh"]
+    result = {c.law: c for c in study.curves}
+    ln = result["lankarani_nikravesh"]
     e, deviation = ln.worst(inside=True)
     assert (e, deviation) == (0.8, pytest.approx(restitution("0.27") - 0.8, abs=1e-9))  # h = 3 (1 - .64)/4
     assert ln.worst(inside=False)[0] == 0.05
-    assert found["exact"].worst(inside=True)[1] == pytest.approx(0, abs=1e-10)
+    assert result["exact"].worst(inside=True)[1] == pytest.approx(0, abs=1e-10)
     everywhere = [round(abs(c.worst(inside=False)[1]), 9) for c in study.curves]
     assert everywhere == sorted(everywhere)
 

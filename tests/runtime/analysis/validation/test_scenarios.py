@@ -209,16 +209,16 @@ expected = "1"
 """
     with pytest.raises(InputError) as caught:
         load_scenario(written(tmp_path, text))
-    told = {fault.where: fault for fault in caught.value.faults}
-    assert set(told) == {
+    reported = {fault.where: fault for fault in caught.value.faults}
+    assert set(reported) == {
         *("duration", "accuracy", "parametres", "parameters.speed", "mas", "mass", "checks.2.source"),
         *("checks.0.final.target_path.sped", "checks.1.impacts.0.speed"),
     }
-    assert str(told["duration"]).startswith("duration: found none; expected a positive time or revolutions")
-    assert "did you mean parameters?" in told["parametres"].remedy
-    assert told["accuracy"].expected == "a number in 1e-12..1e-1"
-    assert "such as target_path.speed" in told["checks.0.final.target_path.sped"].expected
-    assert not any("Field required" in str(fault) or "Input should" in str(fault) for fault in told.values())
+    assert str(reported["duration"]).startswith("duration: found none; expected a positive time or revolutions")
+    assert "did you mean parameters?" in reported["parametres"].remedy
+    assert reported["accuracy"].expected == "a number in 1e-12..1e-1"
+    assert "such as target_path.speed" in reported["checks.0.final.target_path.sped"].expected
+    assert not any("Field required" in str(fault) or "Input should" in str(fault) for fault in reported.values())
 
 
 def test_a_duration_may_be_revolutions_of_the_one_drive_there_is(tmp_path):

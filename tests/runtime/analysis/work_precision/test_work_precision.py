@@ -140,12 +140,12 @@ def test_errors_are_measured_where_the_reference_is_known(model, quick):
     held = reference(Problem(model, "20 s"))
     assert held.horizon < 20
     assert held.horizon - held.known == pytest.approx(math.log(1e4) / RATE, rel=0.1)
-    found = study(Problem(model, "20 s"), methods=("dop853",), accuracies=(1e-3, 1e-4))
-    assert found.shortened
-    assert found.requested == 20
-    assert found.reference.t[-1] == pytest.approx(held.known)
-    assert all(row.error is not None and row.error < row.accuracy for row in found.rows)
-    assert any("run.averages()" in text for text in accuracy_report.warnings(found))
+    actual = study(Problem(model, "20 s"), methods=("dop853",), accuracies=(1e-3, 1e-4))
+    assert actual.shortened
+    assert actual.requested == 20
+    assert actual.reference.t[-1] == pytest.approx(held.known)
+    assert all(row.error is not None and row.error < row.accuracy for row in actual.rows)
+    assert any("run.averages()" in text for text in accuracy_report.warnings(actual))
 
 
 def test_without_two_methods_that_get_there_there_is_no_reference(unstable, monkeypatch):
@@ -196,13 +196,13 @@ def test_the_recommended_method_is_the_cheapest_and_the_sentence_says_so(of_unst
         dataclasses.replace(row, error=0.3 * row.accuracy, time=times[row.method] * row.accuracy**-0.1)
         for row in of_unstable.rows
     )
-    found = dataclasses.replace(of_unstable, rows=rows)
-    assert found.recommended == fast
-    assert found.relative_times[slow] == pytest.approx(4.0)
-    assert found.decade_cost == pytest.approx(10**0.1)
+    actual = dataclasses.replace(of_unstable, rows=rows)
+    assert actual.recommended == fast
+    assert actual.relative_times[slow] == pytest.approx(4.0)
+    assert actual.decade_cost == pytest.approx(10**0.1)
     assert (
-        f"costs {accuracy_report.plain(found.decade_cost)} x the time here; take {fast}"
-        in accuracy_report.conclusions(found)[0]
+        f"costs {accuracy_report.plain(actual.decade_cost)} x the time here; take {fast}"
+        in accuracy_report.conclusions(actual)[0]
     )
 
 
@@ -210,21 +210,21 @@ def test_a_method_that_takes_too_long_is_said_to_and_not_tried_further(unstable,
     def limited(model, **options):
         return simulate(model, **options | ({"max_steps": 5} if "accuracy" in options else {}))
 
-    found = study(dataclasses.replace(unstable, solve=limited), methods=("dop853",), accuracies=ACCURACIES)
-    assert [row.outcome for row in found.rows] == ["too_many_steps", "not_tried", "not_tried"]
-    assert found.recommended is None
-    table = accuracy_report.rows(found)
+    actual = study(dataclasses.replace(unstable, solve=limited), methods=("dop853",), accuracies=ACCURACIES)
+    assert [row.outcome for row in actual.rows] == ["too_many_steps", "not_tried", "not_tried"]
+    assert actual.recommended is None
+    table = accuracy_report.rows(actual)
     assert table[0][7].startswith("more than")
     assert table[1][-1] == "not tried"
-    assert "No run reached an error" in accuracy_report.conclusions(found)[0]
+    assert "No run reached an error" in accuracy_report.conclusions(actual)[0]
 
 
 def test_an_accuracy_that_rounding_forbids_is_said_to_be_with_its_floor(model, quick):
-    found = study(Problem(model, "8 s"), methods=("dop853",), accuracies=(1e-4, 1e-9))
-    last = found.rows[-1]
+    actual = study(Problem(model, "8 s"), methods=("dop853",), accuracies=(1e-4, 1e-9))
+    last = actual.rows[-1]
     assert last.outcome == "accuracy_unreachable"
     assert 1e-9 < last.floor < 1e-4
-    assert accuracy_report.rows(found)[-1][-1] == f"accuracy unreachable, floor {last.floor:.1e}"
+    assert accuracy_report.rows(actual)[-1][-1] == f"accuracy unreachable, floor {last.floor:.1e}"
 
 
 def test_ctrl_c_ends_the_study_and_not_one_run_of_it(unstable):
@@ -252,8 +252,8 @@ def hertzwerk(tmp_path, monkeypatch):
 
 @pytest.mark.slow  # compiles, and draws
 def test_the_command_prints_json_writes_a_new_folder_and_never_overwrites(hertzwerk, tmp_path):
-    asked = ("pendulum", "--duration", "1 s", "--json", "--out", "study")
-    done = hertzwerk(*asked)
+    request = ("pendulum", "--duration", "1 s", "--json", "--out", "study")
+    done = hertzwerk(*request)
     assert done.exit_code == 0
     printed = json.loads(done.stdout)
     assert len(printed["rows"]) == (12 if available() else 6)
@@ -265,7 +265,7 @@ def test_the_command_prints_json_writes_a_new_folder_and_never_overwrites(hertzw
     assert printed["auto"][0]["share_of_time"] == {"dop853": 1.0, "esdirk": 0.0}
     assert json.loads((tmp_path / "study" / "accuracy.json").read_text())["rows"] == printed["rows"]
     assert (tmp_path / "study" / "accuracy.png").read_bytes().startswith(b"\x89PNG")
-    again = hertzwerk(*asked)
+    again = hertzwerk(*request)
     assert again.exit_code == 2
     assert "never overwrites" in again.stderr
 

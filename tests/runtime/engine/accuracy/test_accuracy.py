@@ -66,8 +66,8 @@ def judged():
     found = []
     for scene, friction in (("slider_crank", True), ("slider_crank_frictionless", False)):
         for method in ("dop853", "dopri5"):
-            for asked in ASKED:
-                run = simulate(model(scene), duration=FAR, accuracy=asked, method=method, compiled=False)
+            for requested in ASKED:
+                run = simulate(model(scene), duration=FAR, accuracy=requested, method=method, compiled=False)
                 found.append((run, true_error(run, friction)))
     return found
 
@@ -209,12 +209,12 @@ def test_a_tolerance_that_would_miss_by_far_is_not_tried():
     assert (ladder_result.verdict, len(log), ladder_result.foreseen) == (Verdict.UNREACHABLE, 2, True)
     assert ladder_result.error.floor == pytest.approx(1e4 * LEAST, rel=1e-2)
     assert ladder_result.error.end == pytest.approx(1e4 * 1e-12, rel=1e-2)
-    for coarse, found in ((1e-10, Verdict.UNREACHABLE), (1e-13, Verdict.MET)):
+    for coarse, actual in ((1e-10, Verdict.UNREACHABLE), (1e-13, Verdict.MET)):
         run = partial(made_up, factor=1e3)
         ladder = Ladder(run, differ, lambda y, size=coarse: size, 1.0, 1e-9)
         ladder_result = ladder.search(1e-9)
-        assert ladder_result.verdict is found
-        if found is Verdict.UNREACHABLE:
+        assert ladder_result.verdict is actual
+        if actual is Verdict.UNREACHABLE:
             assert ladder_result.run.tolerance == 1e-9
             assert ladder_result.error.floor == pytest.approx(ladder_result.error.end * coarse / HALVED / 1e-9)
 
@@ -296,9 +296,9 @@ def test_where_tighter_runs_fail_one_of_nearly_the_same_tolerance_shows_the_erro
 
 def test_near_the_tolerance_of_rounding_the_estimate_counts_it():
     """Two runs that happen to agree say nothing of the rounding that both have."""
-    asked, first = 2e-11, 1e-12
-    assert search(asked, first)[0].error.end == pytest.approx(10 * first, rel=1e-2)
-    ladder = Ladder(made_up, differ, lambda y: first, 1.0, asked)
+    requested, first = 2e-11, 1e-12
+    assert search(requested, first)[0].error.end == pytest.approx(10 * first, rel=1e-2)
+    ladder = Ladder(made_up, differ, lambda y: first, 1.0, requested)
     ladder_result = ladder.search(first)
     least = first / HALVED
     assert ladder_result.run.data == (
@@ -497,10 +497,10 @@ def test_a_request_whose_error_is_missed_or_unknown_is_never_finished(monkeypatc
         (lambda tolerance: tolerance != first.settings.tolerance, 1e-8, "accuracy_unknown"),
         (lambda tolerance: tolerance < first.settings.tolerance, first.error.end / 3, "accuracy_unreachable"),
     )
-    for which, asked, name in cases:
+    for which, requested, name in cases:
         monkeypatch.setattr(SingleRun, "trace", failing(which))
         monkeypatch.setattr(accurate_run, "first_tolerance", lambda *_: first.settings.tolerance)
-        run = simulate(model("soft_ball"), duration="1 s", accuracy=asked)
+        run = simulate(model("soft_ball"), duration="1 s", accuracy=requested)
         assert run.outcome.name == name
         assert run.engine.t_end == 1.0
         assert run.error.known == (name == "accuracy_unreachable")

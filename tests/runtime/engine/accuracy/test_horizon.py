@@ -19,48 +19,48 @@ def of(*errors, floor=NO_FLOOR):
 
 @pytest.mark.parametrize("rate", [0.7, 2.0])
 def test_an_exponential_has_its_rate_and_ten_times_more_accuracy_buys_ln_10_of_it(rate):
-    found = of(1e-9 * np.exp(rate * T), 3e-8 * np.exp(rate * T))
-    assert found.kind == "exponential"
-    assert found.rate == pytest.approx(rate, rel=5e-3)
-    assert found.gained == pytest.approx(math.log(10) / rate, rel=5e-3)
-    assert found.factors == pytest.approx([math.exp(rate / 2)] * 11, rel=2e-2)  # intervals of half a second
-    assert found.reaches(1e-5) == pytest.approx(6 + math.log(VALID / 1e-5) / rate, rel=5e-3)
+    actual = of(1e-9 * np.exp(rate * T), 3e-8 * np.exp(rate * T))
+    assert actual.kind == "exponential"
+    assert actual.rate == pytest.approx(rate, rel=5e-3)
+    assert actual.gained == pytest.approx(math.log(10) / rate, rel=5e-3)
+    assert actual.factors == pytest.approx([math.exp(rate / 2)] * 11, rel=2e-2)  # intervals of half a second
+    assert actual.reaches(1e-5) == pytest.approx(6 + math.log(VALID / 1e-5) / rate, rel=5e-3)
 
 
 def test_an_exponential_under_ripples_and_scatter_keeps_its_rate():
     noise = np.random.default_rng(1)
     curves = [1e-9 * 10**k * np.exp(2 * T + 0.5 * np.sin(30 * T) + 0.3 * noise.normal(size=len(T))) for k in range(3)]
-    found = of(*curves)
-    assert found.kind == "exponential"
-    assert abs(found.rate - 2.0) < 3 * found.deviation < 0.3
+    actual = of(*curves)
+    assert actual.kind == "exponential"
+    assert abs(actual.rate - 2.0) < 3 * actual.deviation < 0.3
 
 
 @pytest.mark.parametrize("exponent", [1.0, 2.0])
 def test_a_power_of_time_is_distinguished_from_an_exponential(exponent):
-    found = of(1e-7 * T**exponent)
-    assert found.kind == "power"
-    assert found.exponent == pytest.approx(exponent, rel=0.02)
-    assert found.reaches(VALID / 10) == pytest.approx(6 * 10 ** (1 / exponent), rel=0.05)
+    actual = of(1e-7 * T**exponent)
+    assert actual.kind == "power"
+    assert actual.exponent == pytest.approx(exponent, rel=0.02)
+    assert actual.reaches(VALID / 10) == pytest.approx(6 * 10 ** (1 / exponent), rel=0.05)
 
 
 @pytest.mark.parametrize("curve", [np.exp(-0.8 * T), np.ones(len(T)), 1 + 0.5 * np.sin(20 * T)])
 def test_where_errors_shrink_or_stay_nothing_bounds_the_horizon(curve):
-    found = of(1e-6 * curve)
-    assert found.kind == "none"
-    assert found.gained == found.reaches(1e-3) == math.inf
+    actual = of(1e-6 * curve)
+    assert actual.kind == "none"
+    assert actual.gained == actual.reaches(1e-3) == math.inf
 
 
 def test_growth_in_a_few_intervals_that_others_take_back_is_intermittent():
     jumps = np.where(T < 2.75, 0.0, np.where(T < 4.75, 5.0, 10.0)) - 1.2 * T
-    found = of(1e-8 * np.exp(jumps))
-    assert found.intermittent
-    assert max(found.factors) > 10
+    actual = of(1e-8 * np.exp(jumps))
+    assert actual.intermittent
+    assert max(actual.factors) > 10
     assert not of(1e-8 * np.exp(T)).intermittent
 
 
 def test_errors_that_are_saturated_do_not_hide_the_growth_before():
-    found = of(np.minimum(1e-5 * np.exp(4 * T), 1.0))
-    assert found.rate == pytest.approx(4.0, rel=1e-3)
+    actual = of(np.minimum(1e-5 * np.exp(4 * T), 1.0))
+    assert actual.rate == pytest.approx(4.0, rel=1e-3)
     assert of(np.full(len(T), 2 * SATURATED)).kind == "unknown"
 
 
@@ -73,9 +73,9 @@ def test_errors_below_the_floor_tell_nothing_until_they_rise_above_it():
 
 def test_errors_that_sink_into_the_floor_shrink():
     floor = np.full(len(T), 1e-10)
-    found = of(np.maximum(1e-6 * np.exp(-4 * T), 1e-11), floor=floor)
-    assert found.kind == "none"
-    assert found.rate < -1
+    actual = of(np.maximum(1e-6 * np.exp(-4 * T), 1e-11), floor=floor)
+    assert actual.kind == "none"
+    assert actual.rate < -1
 
 
 def test_the_limit_is_crossed_between_two_samples_by_the_logarithm():

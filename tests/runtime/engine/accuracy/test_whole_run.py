@@ -37,9 +37,9 @@ def test_the_distance_is_the_least_over_shifts_in_time():
         n = draw.integers(1, 6)
         apart = draw.normal(size=n) * 10.0 ** draw.uniform(-6, 0)
         rates, pace = draw.normal(size=n) * 10.0 ** draw.uniform(-2, 4, size=n), 10.0 ** draw.uniform(0, 4)
-        found, shift = distance(apart, rates, pace)
-        assert found == pytest.approx(by_search(apart, rates, pace), rel=1e-6)
-        assert max(pace * abs(shift), np.abs(apart - rates * shift).max()) == pytest.approx(found, rel=1e-6)
+        actual, shift = distance(apart, rates, pace)
+        assert actual == pytest.approx(by_search(apart, rates, pace), rel=1e-6)
+        assert max(pace * abs(shift), np.abs(apart - rates * shift).max()) == pytest.approx(actual, rel=1e-6)
 
 
 def test_a_shift_counts_by_its_own_scale_and_not_by_how_fast_the_state_changes():
@@ -148,11 +148,11 @@ def test_extremes_are_found_within_the_steps_as_a_sweep_finds_them():
     """On the old code the largest of the steps was all there was, .4 to 2 % below the peak."""
     crank = engine_model("slider_crank")
     run = simulate(crank, duration="5 ms", accuracy=1e-5, compiled=False)
-    found = run.extremes("slider_pin.normal_force")
+    actual = run.extremes("slider_pin.normal_force")
     peak = max(run.impacts, key=lambda impact: impact.peak_force)
-    assert found.highest == pytest.approx(peak.peak_force, rel=1e-7)
-    assert peak.t < found.highest_t < peak.t + peak.duration
-    assert found.highest > run["slider_pin.normal_force"].max()
+    assert actual.highest == pytest.approx(peak.peak_force, rel=1e-7)
+    assert peak.t < actual.highest_t < peak.t + peak.duration
+    assert actual.highest > run["slider_pin.normal_force"].max()
     swept = sweep(
         crank,
         {"restitution": [0.9]},
@@ -160,7 +160,7 @@ def test_extremes_are_found_within_the_steps_as_a_sweep_finds_them():
         duration="5 ms",
         accuracy=1e-5,
     )
-    assert swept["slider_pin.normal_force.max"][0] == found.highest
+    assert swept["slider_pin.normal_force.max"][0] == actual.highest
     assert swept["guide.travel.min"][0] == run.extremes("guide.travel").lowest
     with pytest.raises(KeyError, match="did you mean"):
         run.extremes("slider_pin.normal_forc")
@@ -191,15 +191,15 @@ def test_where_friction_turns_round_within_a_step_the_error_is_seen(asked, durat
 
 def test_a_step_over_a_turn_is_compared_as_often_as_its_dense_output_may_bend():
     """dopri5 takes one step over the turn of tanh(v/10 mm/s), after 70 % of which it is off most. On the old code 1.35 times over."""
-    asked, options = 1e-2, {"duration": 5, "parameters": {"v0": "1 m/s"}, "compiled": False}
+    requested, options = 1e-2, {"duration": 5, "parameters": {"v0": "1 m/s"}, "compiled": False}
     rubbed = point(None, push=lambda t, x, v: 2 * ca.cos(3 * t) - 0.8 * ca.tanh(v / 1e-2))
-    run = simulate(rubbed, accuracy=asked, method="dopri5", **options)
+    run = simulate(rubbed, accuracy=requested, method="dopri5", **options)
     truth = simulate(rubbed, tolerance=1e-13, method="dop853", **options)
     times = np.unique(np.concatenate([run.t[:-1] + part * np.diff(run.t) for part in np.arange(0, 1, 0.05)]))
     states = (side.part(name) for name in ("y", "dy") for side in (run.at(times), truth.at(times)))
     true = error(rubbed, run.engine.scales, *states).max()
     assert run.outcome.finished
-    assert true <= asked
+    assert true <= requested
     assert true <= 3 * run.error.worst
 
 

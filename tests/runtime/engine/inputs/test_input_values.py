@@ -65,14 +65,14 @@ def test_a_table_of_the_time():
     ids=["smooth", "jump", "kink", "constant"],
 )
 def test_a_function_is_sampled_to_its_accuracy(function):
-    found = signal(function)
+    result = signal(function)
     times = np.random.default_rng(1).uniform(0, 2, 2000)
-    assert np.max(np.abs(found(times) - [function(t) for t in times])) < 2e-10 * 7
+    assert np.max(np.abs(result(times) - [function(t) for t in times])) < 2e-10 * 7
 
 
 def test_a_jump_of_a_function_is_where_it_is():
-    found = signal(lambda t: 4.0 if t < 1.2345 else -1.0)
-    assert np.min(np.abs(found.begins - 1.2345)) < 1e-12 and len(found.begins) < 70
+    result = signal(lambda t: 4.0 if t < 1.2345 else -1.0)
+    assert np.min(np.abs(result.begins - 1.2345)) < 1e-12 and len(result.begins) < 70
 
 
 def test_a_function_that_cannot_be_resolved_is_refused(monkeypatch):

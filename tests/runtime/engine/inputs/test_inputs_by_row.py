@@ -85,15 +85,17 @@ def test_rows_of_a_store_are_keyed_by_the_values_they_choose(folder):
 
 def test_the_command_line_and_a_file_choose_alike(folder):
     command = ("sweep", "pushed.py", "--over", "push=calm.csv,gusty.csv:push:cubic", "--over", "push.scale=1,2")
-    told = CliRunner().invoke(main, [*command, "--duration", "1 s", "--tolerance", "1e-8", "--workers", "1", "--json"])
-    assert told.exit_code == 0, told.output
+    reported = CliRunner().invoke(
+        main, [*command, "--duration", "1 s", "--tolerance", "1e-8", "--workers", "1", "--json"]
+    )
+    assert reported.exit_code == 0, reported.output
     (folder / "inner").mkdir()
     (folder / "inner" / "s.toml").write_text(
         'target = "../pushed.py"\nduration = "1 s"\ntolerance = 1e-8\n[over]\npush = "../calm.csv, ../gusty.csv:push:cubic"\n"push.scale" = [1, 2]\n'
     )
     by_file = sweep(**read_sweep(folder / "inner" / "s.toml"), workers=1)
     assert by_file["push"].tolist() == ["../calm.csv"] * 2 + ["../gusty.csv:push:cubic"] * 2
-    table = json.loads(told.stdout)["table"]
+    table = json.loads(reported.stdout)["table"]
     assert table[TRAVEL] == by_file[TRAVEL].tolist() and table["push"][::2] == ["calm.csv", "gusty.csv:push:cubic"]
     assert located_choices("0.5..1 N:3", Path("/data")) == "0.5..1 N:3" and located_choices([1, 2], Path("/")) == [1, 2]
 

@@ -96,8 +96,8 @@ def test_all_faults_of_a_file_come_at_once_with_their_lines(tmp_path):
 
 
 def test_long_lists_of_faults_are_cut(tmp_path):
-    found = faults_of(tmp_path, "t [s];a [m]\n" + "".join(f"{i};{i}x\n" for i in range(30)))
-    assert len(found) == 21 and "line 2, a: found '0x'" in found[0] and "10 faults more" in found[-1]
+    result = faults_of(tmp_path, "t [s];a [m]\n" + "".join(f"{i};{i}x\n" for i in range(30)))
+    assert len(result) == 21 and "line 2, a: found '0x'" in result[0] and "10 faults more" in result[-1]
 
 
 @pytest.mark.parametrize(

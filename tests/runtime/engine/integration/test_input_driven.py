@@ -28,8 +28,8 @@ def test_samples_are_met_as_by_exact_discretisation(method, held):
     samples = Samples(TIMES, VALUES, ("s", "N"), "held" if held else "linear")
     run = simulate(shaken(), duration=END, tolerance=1e-12, method=method, inputs={"push": samples})
     at = run.engine.history.at(TIMES)
-    found = np.column_stack([at["slide.travel"], at["slide.speed"]])
-    assert np.max(np.abs(found - exact(TIMES, VALUES, held=held))) < (1e-9 if method == "cvodes" else 1e-10)
+    actual = np.column_stack([at["slide.travel"], at["slide.speed"]])
+    assert np.max(np.abs(actual - exact(TIMES, VALUES, held=held))) < (1e-9 if method == "cvodes" else 1e-10)
     assert run.energy_residual < 1e-8
     assert set(TIMES) <= set(run.t)  # to the bit
     power = np.interp(TIMES[:-1], TIMES, VALUES) * at["slide.speed"][:-1]

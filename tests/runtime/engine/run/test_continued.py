@@ -49,15 +49,15 @@ RUNS = [
 @pytest.mark.parametrize(("scene", "method", "duration", "options"), RUNS)
 def test_wherever_it_was_stopped(scene, method, duration, options):
     """After steps spread over the run, in contact and in flight, and then once more."""
-    crank, asked = model(scene), {"duration": duration, "tolerance": TOLERANCE, "method": method, **options}
-    whole = simulate(crank, **asked)
+    crank, requested = model(scene), {"duration": duration, "tolerance": TOLERANCE, "method": method, **options}
+    whole = simulate(crank, **requested)
     count = whole.statistics.steps
     assert whole.outcome.finished
     assert scene != "incline_lugre" or method != "auto" or len(whole.engine.choices) > 1  # it changes method on the way
     modes = [whole[f"{pair}.mode"] for pair in crank.pairs]
     touching = [int(i) for mode in modes for i in np.flatnonzero(mode == 1)[1:2]]
     for steps in sorted({1, count // 2, count - 1, *touching}):
-        stopped = simulate(crank, **asked, max_steps=steps)
+        stopped = simulate(crank, **requested, max_steps=steps)
         assert stopped.outcome.name == "too_many_steps"
         rest = stopped.continued()
         assert rest.outcome.finished
@@ -66,7 +66,7 @@ def test_wherever_it_was_stopped(scene, method, duration, options):
             0,
             1,
         )  # the last one is repeated
-    stopped = simulate(crank, **asked, max_steps=count // 4)
+    stopped = simulate(crank, **requested, max_steps=count // 4)
     again = stopped.continued(max_steps=3)
     assert_bitwise(whole, stopped, again, again.continued())
 

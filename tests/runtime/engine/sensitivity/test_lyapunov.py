@@ -72,16 +72,16 @@ def test_lorenz_has_its_published_exponents_beside_a_block_that_follows_it():
         block(Lorenz("attractor", "slide", hd.Parameter("push", "N", 1), hd.Parameter("pace", "1/s", 1)))
     )
     run = simulate(model, duration="900 s", tolerance=1e-8, method="dop853", compiled=False)
-    found = run.lyapunov(5)
-    assert found.growth[-1] > 710
-    assert found.chaotic
-    assert found.dimension == 5
-    largest, *still, least = found.exponents
+    actual = run.lyapunov(5)
+    assert actual.growth[-1] > 710
+    assert actual.chaotic
+    assert actual.dimension == 5
+    largest, *still, least = actual.exponents
     assert abs(largest.mean - ATTRACTOR[0]) < largest.half_width < 0.04
     assert max(abs(each.mean) for each in still) < 0.01
     assert least.mean == pytest.approx(ATTRACTOR[2], abs=0.05)
-    assert found.law.rate == pytest.approx(ATTRACTOR[0], abs=0.03)
-    assert found.horizon(1e-6) == pytest.approx(math.log(1e4) / largest.mean, rel=1e-12)
+    assert actual.law.rate == pytest.approx(ATTRACTOR[0], abs=0.03)
+    assert actual.horizon(1e-6) == pytest.approx(math.log(1e4) / largest.mean, rel=1e-12)
     assert run.lyapunov().exponents[0].mean == pytest.approx(largest.mean, abs=2e-3)
 
 
@@ -95,12 +95,12 @@ def test_at_a_saddle_they_are_the_eigenvalues():
 
 def test_an_oscillator_has_no_positive_exponent():
     """Neighbours of an integrable motion part like its time."""
-    found = simulate(engine_model("pendulum"), duration="60 s", tolerance=1e-10, compiled=False).lyapunov(2)
-    assert found.law.kind == "power"
-    assert not found.chaotic
-    assert 0.5 < found.law.exponent < 1.5
-    assert found.horizon(1e-6) == math.inf
-    assert sum(means(found)) == pytest.approx(0, abs=1e-9)
+    actual = simulate(engine_model("pendulum"), duration="60 s", tolerance=1e-10, compiled=False).lyapunov(2)
+    assert actual.law.kind == "power"
+    assert not actual.chaotic
+    assert 0.5 < actual.law.exponent < 1.5
+    assert actual.horizon(1e-6) == math.inf
+    assert sum(means(actual)) == pytest.approx(0, abs=1e-9)
 
 
 def test_through_impacts_they_add_up_to_the_divergence():
@@ -154,9 +154,9 @@ def test_errors_of_runs_grow_as_they_say():
         beside = {**start, name: (start[name][0] + 1e-10, "rad")}
         other = simulate(model, duration="12 s", tolerance=1e-12, initial=beside, compiled=False)
         errors.append(scaling.departure(model, run.engine.scales, other.at(t).part("y"), run.at(t).part("y")))
-    seen, told = growth(t, errors, [np.zeros(len(t))] * 2), run.lyapunov()
-    assert seen.kind == told.law.kind == "exponential"
-    assert told.law.rate == pytest.approx(seen.rate, rel=0.05)
+    seen, reported = growth(t, errors, [np.zeros(len(t))] * 2), run.lyapunov()
+    assert seen.kind == reported.law.kind == "exponential"
+    assert reported.law.rate == pytest.approx(seen.rate, rel=0.05)
 
 
 def test_constraints_leave_the_exponents_of_the_motion():
@@ -187,5 +187,5 @@ def test_no_more_exponents_than_the_motion_has(count):
 def test_the_spread_is_the_least_and_the_largest_rate_of_an_interval():
     """Intervals of 2 s in which changes grow e^4 times and shrink e times; one without growth that is known."""
     law = Growth("exponential", 1.0, 0.1, 1.0, (0.0, 2.0, 4.0, 6.0), (math.exp(4), math.exp(-1), math.nan))
-    found = lyapunovs.Lyapunov((), np.zeros((0, 0)), np.zeros(0), np.zeros(0), law, 1, 6.0, "")
-    assert found.spread == pytest.approx((-0.5, 2.0))
+    actual = lyapunovs.Lyapunov((), np.zeros((0, 0)), np.zeros(0), np.zeros(0), law, 1, 6.0, "")
+    assert actual.spread == pytest.approx((-0.5, 2.0))

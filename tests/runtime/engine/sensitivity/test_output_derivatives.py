@@ -57,11 +57,11 @@ def test_integrals_over_a_force_that_jumps(monkeypatch):
 
 def test_outputs_without_a_derivative_say_why():
     run = simulate(engine_model("bouncing_ball"), duration="0.5 s", tolerance=1e-8)
-    found = OutputDerivatives(run, run.sensitivities("mass"))
+    result = OutputDerivatives(run, run.sensitivities("mass"))
     for output, why in (("impacts", "count"), ("floor.impact_rate", "average"), ("energy_residual", "error"),
                         ("stroke", "function of yours")):  # fmt: skip
         with pytest.raises(NoDerivativeError, match=why):
-            found[output]
-    assert found["floor.peak_force"][0] > 0
+            result[output]
+    assert result["floor.peak_force"][0] > 0
     still = simulate(engine_model("bouncing_ball"), duration="0.1 s", tolerance=1e-8)
     assert OutputDerivatives(still, still.sensitivities("mass"))["floor.peak_force"] == 0

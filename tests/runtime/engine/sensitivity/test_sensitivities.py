@@ -69,15 +69,15 @@ def compared(model, names, read, step=1e-3, **how):
 def test_flight_is_free_fall(ball):
     """y = h - g t^2/2, falling to the floor at t = sqrt(2 (h - r)/g), with sqrt(2 g (h - r)): drop_height counts from the floor."""
     run = made(ball, duration="1 s", tolerance=1e-12)
-    found, g = run.sensitivities("gravity", "vertical.travel"), ball.bind()["gravity"]
+    result, g = run.sensitivities("gravity", "vertical.travel"), ball.bind()["gravity"]
     free = run.t < run.impacts[0].t
-    np.testing.assert_allclose(found["vertical.travel", "gravity"][free], -(run.t[free] ** 2) / 2, rtol=0, atol=1e-13)
-    np.testing.assert_allclose(found["vertical.travel", "vertical.travel"][free], 1, rtol=1e-13)
+    np.testing.assert_allclose(result["vertical.travel", "gravity"][free], -(run.t[free] ** 2) / 2, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(result["vertical.travel", "vertical.travel"][free], 1, rtol=1e-13)
     (impact,) = run.impacts
-    assert found.impacts("t", "gravity")[0] == pytest.approx(-impact.t / (2 * g), rel=1e-10)
-    assert found.impacts("t", "vertical.travel")[0] == pytest.approx(1 / impact.speed, rel=1e-10)
-    assert found.impacts("speed", "vertical.travel")[0] == pytest.approx(g / impact.speed, rel=1e-10)
-    assert found.unit("vertical.travel", "gravity") == "m/(m/s^2)"
+    assert result.impacts("t", "gravity")[0] == pytest.approx(-impact.t / (2 * g), rel=1e-10)
+    assert result.impacts("t", "vertical.travel")[0] == pytest.approx(1 / impact.speed, rel=1e-10)
+    assert result.impacts("speed", "vertical.travel")[0] == pytest.approx(g / impact.speed, rel=1e-10)
+    assert result.unit("vertical.travel", "gravity") == "m/(m/s^2)"
 
 
 def test_a_hertz_impact_follows_its_power_laws():
@@ -198,13 +198,13 @@ def test_steps_too_coarse_for_a_derivative_are_solved_apart(monkeypatch):
     """Damping with the fourth root of the penetration: beside the surface its derivative has no bound."""
     model = engine_model("bouncing_ball", laws={"floor": "power(K=1e6 N/m^1.5, n=1.5) x tsuji"})
     run = made(model, duration="0.7 s", tolerance=1e-9)
-    found = {}
+    result = {}
     for name, level in (("as they are", step_chain.COARSE), ("all apart", 0.0), ("none apart", np.inf)):
         monkeypatch.setattr(step_chain, "COARSE", level)
         monkeypatch.setattr(step_chain, "LEAST", min(level, 1e-6))
-        found[name] = run.sensitivities("drop_height")["vertical.speed", "drop_height"][-1]
-    assert found["as they are"] == pytest.approx(found["all apart"], rel=2e-6)
-    assert found["none apart"] != pytest.approx(found["all apart"], rel=1e-3)
+        result[name] = run.sensitivities("drop_height")["vertical.speed", "drop_height"][-1]
+    assert result["as they are"] == pytest.approx(result["all apart"], rel=2e-6)
+    assert result["none apart"] != pytest.approx(result["all apart"], rel=1e-3)
 
 
 def test_implicit_steps_whose_stages_newton_s_method_does_not_reach_are_solved_apart(monkeypatch):
@@ -224,8 +224,8 @@ def test_contacts_that_overlap_in_time_behind_implicit_steps():
     """Estimates of the steps in a row of balls that touch are up to a thousandfold too small: 6e-6 were they believed."""
     model, how = engine_model("newtons_cradle"), {"duration": "0.5 s"}
     exact = made(model, tolerance=1e-13, **how).sensitivities("length")["string_4.angle", "length"]
-    found = made(model, method="esdirk", tolerance=1e-12, **how).sensitivities("length")["string_4.angle", "length"]
-    assert found[-1] == pytest.approx(exact[-1], abs=1e-6 * np.abs(exact).max())
+    result = made(model, method="esdirk", tolerance=1e-12, **how).sensitivities("length")["string_4.angle", "length"]
+    assert result[-1] == pytest.approx(exact[-1], abs=1e-6 * np.abs(exact).max())
 
 
 def test_many_derivatives_are_those_of_each_alone(crank):
@@ -276,9 +276,9 @@ def test_a_run_returns_them_on_request(crank):
     how = {"duration": "1 ms", "tolerance": 1e-9, "compiled": False}
     run = simulate(crank, **how, sensitivities=("restitution", "guide.travel"))
     later = simulate(crank, **how).sensitivities("restitution", "guide.travel")
-    found = run.derivatives["slider_pin.normal_force", "restitution"]
-    np.testing.assert_array_equal(found, later["slider_pin.normal_force", "restitution"])
-    assert (run.derivatives.unit("slider_pin.normal_force", "restitution"), len(found)) == ("N", len(run.t))
+    result = run.derivatives["slider_pin.normal_force", "restitution"]
+    np.testing.assert_array_equal(result, later["slider_pin.normal_force", "restitution"])
+    assert (run.derivatives.unit("slider_pin.normal_force", "restitution"), len(result)) == ("N", len(run.t))
     assert run.derivatives.impacts("speed", "restitution").tolist() == later.impacts("speed", "restitution").tolist()
     grid = simulate(crank, **how, grid=20, sensitivities=("restitution",))
     travel = grid.derivatives.at(grid.t, "guide.travel", "restitution")

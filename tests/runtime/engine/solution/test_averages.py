@@ -41,9 +41,9 @@ def test_an_interval_holds_the_mean_as_often_as_it_says(phi, n, low):
 
 def test_the_interval_of_thirty_values_is_student_s():
     """Of 30 values, 1 and -1 in turn: t s/sqrt(n) with t = 2.04523 of 29 degrees and s^2 = 30/29."""
-    found = estimate(np.resize([1.0, -1.0], 30))
-    assert (found.mean, found.blocks) == (0, 30)
-    assert found.half_width == pytest.approx(2.04523 / np.sqrt(29), rel=1e-5)
+    actual = estimate(np.resize([1.0, -1.0], 30))
+    assert (actual.mean, actual.blocks) == (0, 30)
+    assert actual.half_width == pytest.approx(2.04523 / np.sqrt(29), rel=1e-5)
 
 
 def test_blocks_that_are_not_joined_would_not():
@@ -64,11 +64,11 @@ def test_a_mean_over_impacts_is_one_of_sums():
     for _ in range(SEEDS // 2):
         hits = random.poisson(1.5, 120)
         peaks = np.array([random.exponential(1 + n, n).sum() for n in hits])
-        found = estimate(peaks, hits.astype(float))
-        used = slice(120 - found.blocks * found.intervals, None)
-        assert found.mean == pytest.approx(peaks[used].sum() / hits[used].sum(), rel=1e-12)
-        if found.half_width is not None:  # the mean over impacts of 1 + n is 1 + E n^2/E n = 1 + 1 + 1.5
-            holds.append(abs(found.mean - 3.5) <= found.half_width)
+        actual = estimate(peaks, hits.astype(float))
+        used = slice(120 - actual.blocks * actual.intervals, None)
+        assert actual.mean == pytest.approx(peaks[used].sum() / hits[used].sum(), rel=1e-12)
+        if actual.half_width is not None:  # the mean over impacts of 1 + n is 1 + E n^2/E n = 1 + 1 + 1.5
+            holds.append(abs(actual.mean - 3.5) <= actual.half_width)
     assert len(holds) > 0.98 * SEEDS // 2
     assert 0.95 - 1.5 * ERROR < np.mean(holds) < 0.96 + 1.5 * ERROR
 
@@ -83,9 +83,9 @@ def test_drifting_or_short_series_have_no_interval():
 
 
 def test_the_interval_of_a_steady_series_follows_the_spread_of_its_blocks():
-    found = estimate(5 + 1e-7 * np.linspace(0, 1, 90))
-    assert found.half_width == pytest.approx(1e-7 * 29 / 29.667, rel=1e-2)
-    assert found.blocks == MOST
+    actual = estimate(5 + 1e-7 * np.linspace(0, 1, 90))
+    assert actual.half_width == pytest.approx(1e-7 * 29 / 29.667, rel=1e-2)
+    assert actual.blocks == MOST
     assert estimate(np.zeros(50)).half_width == 0
 
 
@@ -229,9 +229,9 @@ def test_bad_input(crank, options, message):
 
 
 def test_the_command_line_shows_averages_where_they_are_requested(tmp_path):
-    asked = ["run", "ball_between_walls", "--duration", "2 s", "--accuracy", "1e-4"]
+    requested = ["run", "ball_between_walls", "--duration", "2 s", "--accuracy", "1e-4"]
     plain, with_averages = (
-        CliRunner().invoke(main, [*asked, "--json", *more], prog_name="hertzwerk") for more in ((), ("--averages",))
+        CliRunner().invoke(main, [*requested, "--json", *more], prog_name="hertzwerk") for more in ((), ("--averages",))
     )
     assert "averages" not in json.loads(plain.stdout)
     shown = json.loads(with_averages.stdout)["averages"]
@@ -240,7 +240,7 @@ def test_the_command_line_shows_averages_where_they_are_requested(tmp_path):
     ]
     assert shown[0].keys() == {"name", "unit", "mean", "half_width", "blocks", "block", "reason"}
     text = CliRunner().invoke(
-        main, [*asked, "--averages", "--no-plots", "--out", str(tmp_path / "run")], prog_name="hertzwerk"
+        main, [*requested, "--averages", "--no-plots", "--out", str(tmp_path / "run")], prog_name="hertzwerk"
     )
     (row,) = (line.split() for line in text.stdout.splitlines() if line.startswith("left_wall.impact_rate"))
     assert row[1] == f"{shown[0]['mean']:.4g}"

@@ -26,9 +26,9 @@ def run(of=crests):
 def test_the_higher_of_two_crests_is_found_though_the_other_has_the_largest_sample():
     samples = Samples(run())
     assert samples["force"].max() == pytest.approx(1.0, abs=1e-9)
-    found = samples.extremes("force")
-    assert found.highest == pytest.approx(1.001, abs=1e-9)
-    assert found.highest_t == pytest.approx(TIMES[3000] + STEP / 4, abs=1e-3 * STEP)
+    actual = samples.extremes("force")
+    assert actual.highest == pytest.approx(1.001, abs=1e-9)
+    assert actual.highest_t == pytest.approx(TIMES[3000] + STEP / 4, abs=1e-3 * STEP)
 
 
 def test_extremes_of_equal_crests_and_of_numbers_that_are_none():

@@ -286,8 +286,8 @@ def test_a_module_alone_says_where_readings_come_from():
 
 
 def test_commands_list_and_write_readings(tmp_path):
-    found = CliRunner().invoke(main, ["list", "pendulum"])
-    assert found.exit_code == 0 and "hinge.reaction_x" in found.output and "kg m^2/s" in found.output
+    actual = CliRunner().invoke(main, ["list", "pendulum"])
+    assert actual.exit_code == 0 and "hinge.reaction_x" in actual.output and "kg m^2/s" in actual.output
     out = tmp_path / "run"
     arguments = [
         "run",

@@ -64,12 +64,12 @@ SPRING, DAMPER = hd.JointSpring("spring", "slide", STIFFNESS), hd.JointDamper("d
 
 def test_driven_oscillator_settles_to_its_amplitude_and_phase():
     """x = F/sqrt((k - m w^2)^2 + (c w)^2) cos(w t - phi), tan(phi) = c w/(k - m w^2), once exp(-c t/2m) is gone."""
-    found = run(block(SPRING, DAMPER, hd.JointForce("motor", "slide", FORCE * sp.cos(RATE * hd.T))), 160.0)
+    result = run(block(SPRING, DAMPER, hd.JointForce("motor", "slide", FORCE * sp.cos(RATE * hd.T))), 160.0)
     t = np.linspace(150, 160, 201)
     response = 4.0 / complex(K - M * 3.0**2, C * 3.0)
-    assert found.at(t)["slide.travel"] == pytest.approx(np.real(response * np.exp(3j * t)), abs=1e-9)
+    assert result.at(t)["slide.travel"] == pytest.approx(np.real(response * np.exp(3j * t)), abs=1e-9)
     per_period = np.pi * C * 3.0 * abs(response) ** 2  # put in and dissipated
-    ends = found.at(np.array([158.0 - 2 * np.pi / 3, 158.0]))
+    ends = result.at(np.array([158.0 - 2 * np.pi / 3, 158.0]))
     for name in ("motor.input", "damper.dissipated"):
         assert np.diff(ends[name])[0] == pytest.approx(per_period, rel=1e-6)
 
@@ -91,12 +91,12 @@ AMPLITUDE = hd.Parameter("amplitude", "m", 0.05)
 
 def test_a_harmonic_carriage_takes_its_block_along():
     """m x'' = k (A sin(W t) - x): x = A/(1 - r^2) (sin(W t) - r sin(w t)), r = W/w."""
-    found = run(follower(hd.Harmonic("drive", "rail", AMPLITUDE, RATE)), 10.0)
-    t, ratio = found.t, 3.0 / W
-    assert found["slide.travel"] == pytest.approx(
+    result = run(follower(hd.Harmonic("drive", "rail", AMPLITUDE, RATE)), 10.0)
+    t, ratio = result.t, 3.0 / W
+    assert result["slide.travel"] == pytest.approx(
         0.05 / (1 - ratio**2) * (np.sin(3 * t) - ratio * np.sin(W * t)), abs=1e-9
     )
-    assert found["energy_ledger.input"] == pytest.approx(found["energy"] - found["energy"][0], abs=1e-9)
+    assert result["energy_ledger.input"] == pytest.approx(result["energy"] - result["energy"][0], abs=1e-9)
 
 
 @cache
@@ -111,20 +111,20 @@ def test_a_tabulated_sine_is_as_good_as_the_spline():
     """Halving the distance of the points divides the difference to the sine by 2^6."""
     errors = []
     for count in (17, 33):
-        found = simulate(tabulated(count), duration=4.0, tolerance=1e-12)
+        result = simulate(tabulated(count), duration=4.0, tolerance=1e-12)
         ratio = 3.0 / W
-        exact = 0.05 / (1 - ratio**2) * (np.sin(3 * found.t) - ratio * np.sin(W * found.t))
-        errors.append(np.max(np.abs(found["slide.travel"] - exact)))
-        assert found.energy_residual < 1e-8  # steps go over the points, where the fifth derivative jumps
+        exact = 0.05 / (1 - ratio**2) * (np.sin(3 * result.t) - ratio * np.sin(W * result.t))
+        errors.append(np.max(np.abs(result["slide.travel"] - exact)))
+        assert result.energy_residual < 1e-8  # steps go over the points, where the fifth derivative jumps
     assert 2**5.5 < errors[0] / errors[1] < 2**6.5
 
 
 @pytest.mark.parametrize("method", ["dopri5", "esdirk", "rodas", "auto", "cvodes"])
 def test_every_method_reads_tables(method):
     best = simulate(tabulated(17), duration=4.0, tolerance=1e-10)
-    found = simulate(tabulated(17), duration=4.0, tolerance=1e-6, method=method)
-    assert found.outcome.finished
-    assert found.engine.final["slide.travel"] == pytest.approx(best.engine.final["slide.travel"], abs=1e-5)
+    result = simulate(tabulated(17), duration=4.0, tolerance=1e-6, method=method)
+    assert result.outcome.finished
+    assert result.engine.final["slide.travel"] == pytest.approx(best.engine.final["slide.travel"], abs=1e-5)
 
 
 def ramped(**drive):
@@ -149,10 +149,10 @@ def test_a_ramp_is_the_integral_of_its_speed_and_of_its_acceleration(smoothness)
     speed = 120 * np.pi / 30
     by_speed = run(ramped(speed=sp.diff(law, hd.T)), 2.0)
     by_acceleration = run(ramped(acceleration=sp.diff(law, hd.T, 2)), 2.0)
-    for found in (by_speed, by_acceleration):
-        late = found.t > 0.5
-        assert found["axle.angle"][late] == pytest.approx(speed * (found.t[late] - 0.25), abs=1e-7)
-        assert found["axle.angle"][0] == 0
+    for result in (by_speed, by_acceleration):
+        late = result.t > 0.5
+        assert result["axle.angle"][late] == pytest.approx(speed * (result.t[late] - 0.25), abs=1e-7)
+        assert result["axle.angle"][0] == 0
     assert by_acceleration["axle.speed"][-1] == pytest.approx(speed, rel=1e-8)
     # all of the input went into the wheel: J speed^2/2
     assert by_speed["energy_ledger.input"][-1] == pytest.approx(J * speed**2 / 2, rel=1e-8)
@@ -180,12 +180,12 @@ def test_the_ledger_closes_with_every_element_at_once():
         hd.Potential("bowl", STIFFNESS * hd.coordinate_of("slide") ** 4 / SIZE**2),
     )
     scene = follower(hd.Harmonic("drive", "rail", AMPLITUDE, RATE), hd.JointDamper("rails", "rail", DAMPING))
-    found = run(
+    result = run(
         hd.Scene(scene.mechanism, (*(e for e in scene.effects if e.name != "spring"), *extra), scene.scales), 10.0
     )
-    assert set(found.engine.model.memory) == {
+    assert set(result.engine.model.memory) == {
         "energy_ledger.input", "rails.dissipated", "damper.dissipated", "motor.input", "friction.dissipated"
     }  # fmt: skip
-    assert min(abs(found[name][-1]) for name in found.engine.model.memory) > 1e-3
+    assert min(abs(result[name][-1]) for name in result.engine.model.memory) > 1e-3
     rails = C * (0.05 * 3.0) ** 2 * (10 / 2 + np.sin(60) / 12)  # of the drive alone: c A^2 W^2 cos^2, integrated
-    assert found["rails.dissipated"][-1] == pytest.approx(rails, rel=1e-8)
+    assert result["rails.dissipated"][-1] == pytest.approx(rails, rel=1e-8)

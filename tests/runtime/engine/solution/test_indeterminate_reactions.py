@@ -69,8 +69,8 @@ def self_stresses(run, joints):
 
 def wrenches(run, joints):
     """Forces and moments (6 joints,) that the joints hold their children with at the end."""
-    asked = [f"{joint.name}.reaction{what}_{x}" for joint in joints for what in ("", "_moment") for x in ALONG]
-    return np.array([end(run, name) for name in asked])
+    requested = [f"{joint.name}.reaction{what}_{x}" for joint in joints for what in ("", "_moment") for x in ALONG]
+    return np.array([end(run, name) for name in requested])
 
 
 @pytest.mark.parametrize(("name", "redundant"), [("bricard", 1), ("flyball_governor", 6)])

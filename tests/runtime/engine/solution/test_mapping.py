@@ -42,13 +42,13 @@ def test_runs_compare_by_identity(run):
 
 @pytest.mark.parametrize("key", [0, None, slice(3), ["vertical.travel"], ("a", "b", "c"), ("vertical.travel", 3), 1.5])
 def test_an_unknown_name_lists_those_that_exist(run, key):
-    for ask in (
+    for request in (
         lambda: run[key],
         lambda: run.engine.history[key],
         lambda: run.plot(*(key if isinstance(key, list) else (key,)), 0),
     ):
         with pytest.raises(KeyError, match=r"no history .*there are t, vertical\.travel"):
-            ask()
+            request()
 
 
 def test_several_histories_are_drawn_by_a_list_as_by_their_names(run):

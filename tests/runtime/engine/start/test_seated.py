@@ -81,8 +81,8 @@ def test_journals_of_a_slider_crank_lie_where_the_ideal_joints_press_them(coordi
     e, forces, off = state(slider_cranks[coordinates], nearly, near)
     on_rod, on_slider, axes = ideal_forces(np.radians(degrees))
     assert forces == pytest.approx(np.linalg.norm([on_rod, on_slider], axis=1), rel=1e-3)
-    for found, force in zip(e, (axes @ on_rod, on_slider), strict=True):
-        assert found / np.linalg.norm(found) == pytest.approx(force / np.linalg.norm(force), abs=1e-3)
+    for result, force in zip(e, (axes @ on_rod, on_slider), strict=True):
+        assert result / np.linalg.norm(result) == pytest.approx(force / np.linalg.norm(force), abs=1e-3)
     as_it_is = state(slider_cranks[coordinates], {}, near)
     assert as_it_is[1] == pytest.approx(forces, rel=0.05)
     assert (

@@ -114,14 +114,17 @@ def test_a_four_bar_is_assembled_from_the_angle_of_its_crank(coordinates, upper,
     model = models(UPPER if upper else LOWER, coordinates)
     for degrees in (0, 20, -35):
         pin, of_coupler, of_rocker, rates = four_bar(np.radians(degrees), upper)
-        found = started(model, {"main_bearing.angle": (degrees, "deg")})
-        place, velocity = [found[f"coupler_plane.{x}"] for x in "xy"], [found[f"coupler_plane.{x}_speed"] for x in "xy"]
+        result = started(model, {"main_bearing.angle": (degrees, "deg")})
+        place, velocity = (
+            [result[f"coupler_plane.{x}"] for x in "xy"],
+            [result[f"coupler_plane.{x}_speed"] for x in "xy"],
+        )
         assert place == pytest.approx(pin, abs=1e-13)
         assert velocity == pytest.approx(W * np.array([-pin[1], pin[0]]), abs=1e-11)
-        assert found["coupler_plane.angle"] == pytest.approx(of_coupler, abs=1e-12)
-        assert found["rocker_bearing.angle"] == pytest.approx(of_rocker, abs=1e-12)
-        assert found["coupler_plane.angle_speed"] == pytest.approx(rates[0], rel=1e-11)
-        assert found["rocker_bearing.speed"] == pytest.approx(rates[1], rel=1e-11)
+        assert result["coupler_plane.angle"] == pytest.approx(of_coupler, abs=1e-12)
+        assert result["rocker_bearing.angle"] == pytest.approx(of_rocker, abs=1e-12)
+        assert result["coupler_plane.angle_speed"] == pytest.approx(rates[0], rel=1e-11)
+        assert result["rocker_bearing.speed"] == pytest.approx(rates[1], rel=1e-11)
 
 
 def test_first_impacts_are_those_of_the_clearance_and_not_of_a_start_at_rest(models):
@@ -162,14 +165,14 @@ def test_a_start_that_is_closed_as_it_stands_is_taken_as_it_is(name):
     model = engine_model(name)
     bound = model.bind()
     stated = [np.array(x).ravel() for x in model.function("start")(bound.p)]
-    _, *found = start_of(model, {}, {})
-    assert all(np.array_equal(a, b) for a, b in zip(found, stated, strict=True))
+    _, *result = start_of(model, {}, {})
+    assert all(np.array_equal(a, b) for a, b in zip(result, stated, strict=True))
 
 
 def test_stated_start_values_stay_and_the_rest_is_solved_for(models):
     model = models(LOWER)
-    found = started(model, {"coupler_plane.x": "50.3 mm", "coupler_plane.x_speed": "0.1 m/s"})
-    assert (found["coupler_plane.x"], found["coupler_plane.x_speed"]) == (0.0503, 0.1)
+    result = started(model, {"coupler_plane.x": "50.3 mm", "coupler_plane.x_speed": "0.1 m/s"})
+    assert (result["coupler_plane.x"], result["coupler_plane.x_speed"]) == (0.0503, 0.1)
     bound, q, u = start_of(model, {}, {"coupler_plane.x": "50.3 mm"})
     e = np.array(model.function("outputs")(0, q, u, bound.c)).ravel()
     assert np.hypot(*e[:2]) == pytest.approx(3e-4, rel=1e-9)  # the crank's pin is beside its middle by what was given
@@ -258,9 +261,9 @@ def test_gears_that_start_tooth_on_tooth_are_turned_by_half_a_pitch():
     """The turn that parts one pair of flanks alone presses the other pair: it was proposed."""
     model = engine_model("gears_with_backlash")
     (fault,) = faults_of(model, {"idler.angle": (math.pi / 31, "rad")})
-    found = re.search(r"they are apart with idler.angle at (\S+) rad", fault.remedy)
-    assert float(found[1]) == pytest.approx(0, abs=1e-3)
-    run = simulate(model, duration="1 us", tolerance=1e-6, initial={"idler.angle": (float(found[1]), "rad")})
+    result = re.search(r"they are apart with idler.angle at (\S+) rad", fault.remedy)
+    assert float(result[1]) == pytest.approx(0, abs=1e-3)
+    run = simulate(model, duration="1 us", tolerance=1e-6, initial={"idler.angle": (float(result[1]), "rad")})
     assert min(run["mesh_1.gap"][0], run["mesh_2.gap"][0]) > 0
 
 
@@ -291,12 +294,12 @@ def test_the_depth_that_is_allowed_is_that_of_hertz_at_five_times_the_speed():
 def test_a_start_one_clearance_deep_is_allowed_and_reported():
     """Stiffness alone throws it apart at twice the crank's speed: an impact might press so deep, a slip of the pen as well."""
     crank = engine_model("slider_crank")
-    told = simulate(
+    texts = simulate(
         crank, duration="24 ms", tolerance=1e-6, initial={"guide.travel": "171 mm"}, method="dop853", max_steps=2000
     )
-    assert told.outcome.name == "too_many_steps"
-    assert 'take method="auto"' in told.outcome.remedy
-    (warning,) = (text for text in told.warnings if "deep" in text)
+    assert texts.outcome.name == "too_many_steps"
+    assert 'take method="auto"' in texts.outcome.remedy
+    (warning,) = (text for text in texts.warnings if "deep" in text)
     assert warning.startswith("slider_pin starts 0.0005 m deep: stiffness alone would throw that apart at 51.4 m/s")
     assert "damping, which has no approach speed, may hold it there" in warning
     assert "they touch with guide.travel at 0.1705 m in place of 0.171 m" in warning
@@ -304,7 +307,7 @@ def test_a_start_one_clearance_deep_is_allowed_and_reported():
         run = simulate(crank, duration="24 ms", tolerance=1e-6, initial={"guide.travel": allowed})
         assert run.outcome.finished
         assert not any("deep" in text for text in run.warnings)
-    again = told.continued(max_steps=10)
+    again = texts.continued(max_steps=10)
     assert not any("deep" in text for text in again.warnings)
 
 
@@ -343,14 +346,14 @@ def test_a_start_that_is_closed_as_stated_is_that_which_assembly_keeps_and_no_ot
     for name in ("slider_crank_two_clearances", "bricard", "flyball_governor", "n_four_bar", "bicycle"):
         model = engine_model(name)
         bound = model.bind()
-        stated, found = (
+        stated, result = (
             np.concatenate(model.evaluate("start", bound.p)),
             np.concatenate(assembled(model, bound, {}, [])),
         )
-        kept[name] = np.array_equal(stated, found)
+        kept[name] = np.array_equal(stated, result)
         start = as_stated(model, bound)
         assert (start is not None) == kept[name], name
-        assert start is None or np.array_equal(np.concatenate(start), found), name
+        assert start is None or np.array_equal(np.concatenate(start), result), name
     assert set(kept.values()) == {True, False}
 
 

@@ -99,9 +99,9 @@ def test_a_start_is_assembled_before_it_is_drawn():
     middle, half = (top[:2] + foot) / 2, np.linalg.norm(foot - top[:2]) / 2
     across = np.array([-(foot - top[:2])[1], (foot - top[:2])[0]]) / (2 * half)
     meeting = [middle + sign * np.sqrt(reach**2 - half**2) * across for sign in (1, -1)]
-    found = point(places, "right_0", "child")[0][:2]
-    assert min(np.max(np.abs(found - place)) for place in meeting) < 1e-10
-    assert point(places, "right_0", "parent")[0][:2] == pytest.approx(found, abs=1e-10)
+    actual = point(places, "right_0", "child")[0][:2]
+    assert min(np.max(np.abs(actual - place)) for place in meeting) < 1e-10
+    assert point(places, "right_0", "parent")[0][:2] == pytest.approx(actual, abs=1e-10)
 
 
 def test_points_and_axes_in_space_by_hand():

@@ -265,9 +265,9 @@ def test_colours_of_a_gif_are_those_of_the_pictures():
     image = Image.new("RGB", (1 + len(CYCLE), 1), "white")
     for k, colour in enumerate(CYCLE):
         image.putpixel((1 + k, 0), tuple(bytes.fromhex(colour[1:])))
-    found = np.asarray(image.quantize(palette=_palette(), dither=Image.Dither.NONE).convert("RGB"), dtype=int)
-    assert np.array_equal(found[0, 0], (255, 255, 255))
-    assert np.max(np.abs(found - np.asarray(image, dtype=int))) <= 8
+    actual = np.asarray(image.quantize(palette=_palette(), dither=Image.Dither.NONE).convert("RGB"), dtype=int)
+    assert np.array_equal(actual[0, 0], (255, 255, 255))
+    assert np.max(np.abs(actual - np.asarray(image, dtype=int))) <= 8
 
 
 # ---- clock -----------------------------------------------------------------------------------------------------------
@@ -377,7 +377,7 @@ def test_the_command_films_other_coordinates_an_accuracy_and_a_grid(tmp_path, mo
     how = ["--coordinates", "absolute", "--accuracy", "1e-4", "--grid", "7", "--duration", "0.1 s"]
     assert CliRunner().invoke(main, ["animate", "bouncing_ball", *how], catch_exceptions=False).exit_code == 0
     assert CliRunner().invoke(main, ["animate", "bouncing_ball", "--duration", "0.1 s"]).exit_code == 0
-    asked, plain = made
-    assert (asked.engine.model.coordinates[0], plain.engine.model.coordinates[0]) == ("ball.x", "vertical.travel")
-    assert (asked.settings.accuracy, len(asked.t)) == (1e-4, 7)
+    requested, plain = made
+    assert (requested.engine.model.coordinates[0], plain.engine.model.coordinates[0]) == ("ball.x", "vertical.travel")
+    assert (requested.settings.accuracy, len(requested.t)) == (1e-4, 7)
     assert (plain.settings.accuracy, plain.settings.tolerance) == (None, 1e-6)

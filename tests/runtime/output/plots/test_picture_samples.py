@@ -81,7 +81,7 @@ def test_every_history_of_a_saved_run_is_near_the_motion(scene, tmp_path):
 def test_more_steps_than_are_drawn_keep_every_force(monkeypatch, crank):
     """Where a picture has fewer samples than steps, curves are coarser, all alike, and peaks stay."""
     monkeypatch.setattr(picture_samples, "MOST", 1000)
-    found = picture_samples.dense(crank)
+    actual = picture_samples.dense(crank)
     peak = max(impact.peak_force for impact in crank.impacts)
-    assert len(found.t) < 10_000
-    assert np.max(found["slider_pin.normal_force"]) == pytest.approx(peak, rel=5e-4)
+    assert len(actual.t) < 10_000
+    assert np.max(actual["slider_pin.normal_force"]) == pytest.approx(peak, rel=5e-4)

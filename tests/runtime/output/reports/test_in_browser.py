@@ -16,14 +16,14 @@ pytestmark = pytest.mark.skipif(BROWSER is None, reason="no chromium (apt-get in
 
 def test_a_page_is_whole_fetches_nothing_and_sorts(tmp_path):
     run = simulate(load("slider_crank"), duration="6 ms", tolerance=1e-7)
-    found = seen(run_page(run), tmp_path)
-    assert found["cut"] == []
-    assert (found["fetched"], found["violations"]) == ([], [])
-    before, up, down = found["sorted"]["Impacts/peak force [kN]"]
+    actual = seen(run_page(run), tmp_path)
+    assert actual["cut"] == []
+    assert (actual["fetched"], actual["violations"]) == ([], [])
+    before, up, down = actual["sorted"]["Impacts/peak force [kN]"]
     assert before != up
     assert up == sorted(before, key=float)
     assert down == up[::-1]
-    before, up, _ = found["sorted"]["Parameters/parameter"]
+    before, up, _ = actual["sorted"]["Parameters/parameter"]
     assert up == sorted(before)
 
 
@@ -34,12 +34,12 @@ def test_faults_of_a_page_are_found(tmp_path):
         [table([("text", ""), ("number", "")], rows), formula, Markup("<img src='http://127.0.0.1:9/x.png'>")]
     )
     bad = page("run", "a", "", Markup("<script>window.alerted = 1</script>"), [Section("One", content)], Origin("x"))
-    found = seen(bad, tmp_path)
-    assert found["sorted"]["One/number"][1:] == [["1", "2", "10"], ["10", "2", "1"]]
-    assert any("wide" in text for text in found["cut"])
-    assert any("xxx" in text for text in found["cut"])
-    assert found["alerted"] == 0  # the policy holds back what is no script of the page's own
-    assert {text.split()[0] for text in found["violations"]} == {"script-src-elem", "img-src"}
+    actual = seen(bad, tmp_path)
+    assert actual["sorted"]["One/number"][1:] == [["1", "2", "10"], ["10", "2", "1"]]
+    assert any("wide" in text for text in actual["cut"])
+    assert any("xxx" in text for text in actual["cut"])
+    assert actual["alerted"] == 0  # the policy holds back what is no script of the page's own
+    assert {text.split()[0] for text in actual["violations"]} == {"script-src-elem", "img-src"}
 
 
 def test_a_table_of_many_columns_fits_a_sheet_of_paper(tmp_path):
@@ -70,6 +70,6 @@ def test_output_of_a_notebook_fits_its_cell(tmp_path):
     run = simulate(model, duration="12 ms")
     shown = (scene, model, run, audit_scene(scene), *LAWS.values())
     sections = [Section(f"Cell {k}", Markup(thing._repr_html_())) for k, thing in enumerate(shown)]
-    found = seen(page("run", "notebook", "", Markup(""), sections, Origin("x")), tmp_path)
-    assert found["cut"] == []
-    assert found["fetched"] == []
+    actual = seen(page("run", "notebook", "", Markup(""), sections, Origin("x")), tmp_path)
+    assert actual["cut"] == []
+    assert actual["fetched"] == []

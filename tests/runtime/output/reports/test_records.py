@@ -94,8 +94,8 @@ def test_more_columns_than_fit_are_tables_side_by_side(alike, keys):
     assert all(head[: len(keys)] == keys and len(head) <= 7 for head in heads)
     others = [*([] if "mass" in keys else [*same, "mass"]), "outcome", *outputs]
     assert [name for head in heads for name in head[len(keys) :]] == others
-    found = [cell for _, _, second in tables for cell in second[len(keys) :]]
-    assert [float(cell) for cell in found[-14:]] == pytest.approx([2 + j / 100 for j in range(14)])
+    actual = [cell for _, _, second in tables for cell in second[len(keys) :]]
+    assert [float(cell) for cell in actual[-14:]] == pytest.approx([2 + j / 100 for j in range(14)])
 
 
 def test_warnings_that_rows_share_are_stated_once_and_values_in_their_units(report, tmp_path):

@@ -27,8 +27,8 @@ def test_histories_are_shown_as_a_table():
 
 
 def test_a_history_of_a_table_is_an_entry_still():
-    found = load("bouncing_ball").histories
-    assert found[0] == Entry("t", "s", "time", derived=False) and isinstance(found[1:2], tuple)
+    actual = load("bouncing_ball").histories
+    assert actual[0] == Entry("t", "s", "time", derived=False) and isinstance(actual[1:2], tuple)
     assert repr(Histories()) == ""
 
 
@@ -42,7 +42,7 @@ def test_two_directions_of_sliding_are_distinguished_from_a_mode():
     model = load(
         hd.Scene(hd.Mechanism("ball", (hd.Free("flight", hd.GROUND, BALL),), (floor,)), (contact, rubbing), scales)
     )
-    told = {entry.name: entry.meaning for entry in model.histories}
-    assert told["floor.slip_1"] == "direction of sliding, zero while it sticks, of floor, along its tangent 1"
-    assert told["floor.friction_force_2"] == "friction force of floor, along its tangent 2"
-    assert told["floor.slip"].startswith("mode of set-valued friction: ")
+    reported = {entry.name: entry.meaning for entry in model.histories}
+    assert reported["floor.slip_1"] == "direction of sliding, zero while it sticks, of floor, along its tangent 1"
+    assert reported["floor.friction_force_2"] == "friction force of floor, along its tangent 2"
+    assert reported["floor.slip"].startswith("mode of set-valued friction: ")

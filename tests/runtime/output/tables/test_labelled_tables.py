@@ -70,26 +70,26 @@ def test_a_data_frame_has_every_column_with_its_unit(grid):
 
 
 def test_a_grid_has_what_was_varied_as_dimensions(grid):
-    found = grid.to_xarray()
-    assert dict(found.sizes) == {"drop_height": 3, "mass": 2}
-    assert found["mass"].values.tolist() == [0.1, -1]
-    assert found["mass"].attrs["units"] == "kg"
-    assert found["floor.peak_force"].attrs["units"] == "N"
+    actual = grid.to_xarray()
+    assert dict(actual.sizes) == {"drop_height": 3, "mass": 2}
+    assert actual["mass"].values.tolist() == [0.1, -1]
+    assert actual["mass"].attrs["units"] == "kg"
+    assert actual["floor.peak_force"].attrs["units"] == "N"
     for row in grid:
-        at = found.sel(drop_height=row["drop_height"], mass=row["mass"])
+        at = actual.sel(drop_height=row["drop_height"], mass=row["mass"])
         assert all(same(at[name].values, np.asarray(row[name])) for name in OUTPUTS)
         assert at["outcome"].item() == row.outcome == ("finished" if row["mass"] > 0 else "bad_input")
         assert at["message"].item() == row.message
-    assert found.attrs["outcome"] == "finished"
+    assert actual.attrs["outcome"] == "finished"
 
 
 def test_places_of_a_grid_without_a_row_say_so(grid):
     """Rows come as they are done: those that an interrupted sweep lacks are not the last."""
     part = replace(grid, rows=(grid.rows[1], grid.rows[4]))
-    found = part.to_xarray()
-    assert found["outcome"].values.tolist() == [["missing", "bad_input"], ["missing"] * 2, ["finished", "missing"]]
-    assert same(found["floor.peak_force"].values[2, 0], grid["floor.peak_force"][4])
-    assert np.isnan(found["floor.peak_force"].values).sum() == 5
+    actual = part.to_xarray()
+    assert actual["outcome"].values.tolist() == [["missing", "bad_input"], ["missing"] * 2, ["finished", "missing"]]
+    assert same(actual["floor.peak_force"].values[2, 0], grid["floor.peak_force"][4])
+    assert np.isnan(actual["floor.peak_force"].values).sum() == 5
 
 
 @pytest.mark.parametrize("kind", ["pairs", "samples", "sets"])
@@ -100,10 +100,10 @@ def test_no_grid_has_rows_with_coordinates(kind, pairs, ball):
         table = sweep(ball, {"drop_height": "0.5..1 m", "mass": "1..2 kg"}, sample=2, outputs=OUTPUTS, **QUICK)
     else:
         table = simulate_many(ball, [{"drop_height": "1 m", "mass": "1 kg"}, {"drop_height": "1 m"}], **QUICK)
-    found = table.to_xarray()
-    assert dict(found.sizes) == {"row": len(table)}
-    assert set(found.coords) == {"row", "drop_height", "mass"}
-    assert all(same(found[name].values, table[name]) for name in table.names)
+    actual = table.to_xarray()
+    assert dict(actual.sizes) == {"row": len(table)}
+    assert set(actual.coords) == {"row", "drop_height", "mass"}
+    assert all(same(actual[name].values, table[name]) for name in table.names)
 
 
 def test_a_stored_sweep_has_the_same_dimensions(ball, tmp_path):
@@ -128,14 +128,14 @@ def test_points_of_rows_have_a_dimension_of_their_own(ball, tmp_path):
     lengths = [len(t) for t in made.section["t"]]
     assert lengths[0] > lengths[2] > lengths[1] == lengths[3] == 0
     part = replace(made, rows=made.rows[:3])
-    for found in (part.to_xarray(), xr.load_dataset(part.to_file(tmp_path / "t.nc"), engine="h5netcdf")):
-        assert dict(found.sizes) == {"drop_height": 2, "mass": 2, "section.point": lengths[0], "histories.t": 11}
+    for actual in (part.to_xarray(), xr.load_dataset(part.to_file(tmp_path / "t.nc"), engine="h5netcdf")):
+        assert dict(actual.sizes) == {"drop_height": 2, "mass": 2, "section.point": lengths[0], "histories.t": 11}
         for kind, arrays in (("section", made.section), ("histories", made.histories)):
             for name in arrays.units:
                 if (kind, name) == ("histories", "t"):
-                    assert same(found["histories.t"].values, arrays["t"][0])
+                    assert same(actual["histories.t"].values, arrays["t"][0])
                     continue
-                values = found[f"{kind}.{name}"]
+                values = actual[f"{kind}.{name}"]
                 assert values.dims == ("drop_height", "mass", "section.point" if kind == "section" else "histories.t")
                 assert values.attrs["units"] == arrays.units[name]
                 for i, points in enumerate(arrays[name][:3]):
@@ -170,13 +170,13 @@ def test_a_parquet_file_opens_with_pandas_and_with_pyarrow(name, request, tmp_pa
 @pytest.mark.parametrize("name", ["grid", "pairs"])
 def test_a_netcdf_file_opens_with_xarray(name, request, tmp_path):
     table = request.getfixturevalue(name)
-    with xr.open_dataset(table.to_file(tmp_path / "t.nc"), engine="h5netcdf") as found:
-        assert found.sizes == table.to_xarray().sizes
-        flat = found.stack(row=("drop_height", "mass")) if name == "grid" else found
+    with xr.open_dataset(table.to_file(tmp_path / "t.nc"), engine="h5netcdf") as actual:
+        assert actual.sizes == table.to_xarray().sizes
+        flat = actual.stack(row=("drop_height", "mass")) if name == "grid" else actual
         assert all(same(flat[column].values, table[column]) for column in table.names)
-        assert found["final.vertical.speed"].attrs == {"units": "m/s", "long_name": "vertical.speed at the end"}
-        assert found["floor.peak_force"].attrs["long_name"] == "peak normal force of the contacts, of floor"
-        assert found.attrs == table.to_xarray().attrs
+        assert actual["final.vertical.speed"].attrs == {"units": "m/s", "long_name": "vertical.speed at the end"}
+        assert actual["floor.peak_force"].attrs["long_name"] == "peak normal force of the contacts, of floor"
+        assert actual.attrs == table.to_xarray().attrs
 
 
 def test_histories_of_a_run_have_units_meanings_and_parameters(run, tmp_path):
@@ -184,13 +184,13 @@ def test_histories_of_a_run_have_units_meanings_and_parameters(run, tmp_path):
     assert same(frame.index.to_numpy(), run.t)
     assert all(same(frame[name].to_numpy(), run[name]) for name in run)
     assert frame.attrs["units"] == run.engine.history.units
-    for found in (run.to_xarray(), xr.load_dataset(run.to_file(tmp_path / "run.nc"), engine="h5netcdf")):
-        assert same(found["t"].values, run.t)
-        assert all(same(found[name].values, run[name]) for name in run)
-        assert {name: found[name].attrs["units"] for name in run} == {name: run.units[name] for name in run}
-        assert found["floor.penetration"].attrs["long_name"] == "penetration of the surfaces, of floor"
-        assert found.attrs["parameter.mass"] == "50.0 g"
-        assert found.attrs["outcome"] == run.outcome.name
+    for actual in (run.to_xarray(), xr.load_dataset(run.to_file(tmp_path / "run.nc"), engine="h5netcdf")):
+        assert same(actual["t"].values, run.t)
+        assert all(same(actual[name].values, run[name]) for name in run)
+        assert {name: actual[name].attrs["units"] for name in run} == {name: run.units[name] for name in run}
+        assert actual["floor.penetration"].attrs["long_name"] == "penetration of the surfaces, of floor"
+        assert actual.attrs["parameter.mass"] == "50.0 g"
+        assert actual.attrs["outcome"] == run.outcome.name
     assert same(pd.read_parquet(run.to_file(tmp_path / "run.parquet")).to_numpy(), frame.to_numpy())
 
 
@@ -257,13 +257,15 @@ def test_files_are_whole_and_overwritten_on_request_only(pairs, tmp_path, monkey
 
 def test_every_fault_of_a_file_comes_at_once(tmp_path):
     (tmp_path / "t.xls").touch()
-    found = [fault.found for fault in table_file_faults(tmp_path / "t.xls")]
-    assert found == [str(tmp_path / "t.xls"), f"{tmp_path / 't.xls'}, which exists"]
+    actual = [fault.found for fault in table_file_faults(tmp_path / "t.xls")]
+    assert actual == [str(tmp_path / "t.xls"), f"{tmp_path / 't.xls'}, which exists"]
     assert "which is a file" in table_file_faults(tmp_path / "t.xls" / "t.csv")[0].found
 
 
 def test_the_error_of_a_run_is_the_one_that_was_requested(ball):
     """Along the way to rest it is larger than at the end."""
-    whole, end = (simulate(ball, duration="2 s", accuracy=asked, compiled=False) for asked in (1e-3, "1e-3 at the end"))
+    whole, end = (
+        simulate(ball, duration="2 s", accuracy=requested, compiled=False) for requested in (1e-3, "1e-3 at the end")
+    )
     assert whole.to_xarray().attrs["error"] == whole.error.values.max() > whole.error.values[-1]
     assert end.to_xarray().attrs["error"] == max(end.error.values[-1], 1e-13) < end.error.values.max()

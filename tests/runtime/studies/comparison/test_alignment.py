@@ -39,28 +39,28 @@ def measured(function, offset, drift, *, noise=0.0, missing=0.0, seed=3):
 @pytest.mark.parametrize(("noise", "missing", "within"), [(0, 0, 2e-7), (0.3, 0.3, 1e-4)])
 def test_offset_and_drift_are_found(noise, missing, within):
     t, values = measured(pulses, 0.0123456, 2.5e-3, noise=noise, missing=missing)
-    found = align(Known(pulses), t, values, (-0.04, 0.04), (-5e-3, 5e-3))
-    assert found.offset == pytest.approx(0.0123456, abs=within)
-    assert found.drift == pytest.approx(2.5e-3, abs=2 * within)
-    assert found.doubts == () and found.correlation > (0.999999 if not noise else 0.5)
+    actual = align(Known(pulses), t, values, (-0.04, 0.04), (-5e-3, 5e-3))
+    assert actual.offset == pytest.approx(0.0123456, abs=within)
+    assert actual.drift == pytest.approx(2.5e-3, abs=2 * within)
+    assert actual.doubts == () and actual.correlation > (0.999999 if not noise else 0.5)
 
 
 def test_a_drift_that_is_not_searched_leaves_less_correlation():
     t, values = measured(pulses, 0.0, 1e-2)
-    found = [align(Known(pulses), t, values, (-0.02, 0.02), drifts) for drifts in ((0.0, 0.0), (-2e-2, 2e-2))]
-    assert found[0].correlation < 0.9 < 0.9999 < found[1].correlation
+    actual = [align(Known(pulses), t, values, (-0.02, 0.02), drifts) for drifts in ((0.0, 0.0), (-2e-2, 2e-2))]
+    assert actual[0].correlation < 0.9 < 0.9999 < actual[1].correlation
 
 
 def test_one_value_is_taken_as_given():
     t, values = measured(pulses, 0.0, 0.0)
-    found = align(Known(pulses), t, values, (0.01, 0.01), (0.0, 0.0))
-    assert (found.offset, found.drift, found.searched) == (0.01, 0.0, False)
+    actual = align(Known(pulses), t, values, (0.01, 0.01), (0.0, 0.0))
+    assert (actual.offset, actual.drift, actual.searched) == (0.01, 0.0, False)
 
 
 def test_gain_and_level_do_not_shift_what_is_found():
     t, values = measured(pulses, 0.0123456, 0.0)
-    found = align(Known(pulses), t, 7 + 3 * values, (-0.04, 0.04), (0.0, 0.0))
-    assert found.offset == pytest.approx(0.0123456, abs=2e-7)
+    actual = align(Known(pulses), t, 7 + 3 * values, (-0.04, 0.04), (0.0, 0.0))
+    assert actual.offset == pytest.approx(0.0123456, abs=2e-7)
 
 
 def test_a_best_offset_at_the_end_of_its_range_is_doubted():
@@ -84,8 +84,8 @@ def test_only_times_up_to_the_horizon_count_where_there_are_enough():
     t, values = measured(pulses, 0.0, 0.0)
     late = t > 0.3
     values[late, 0] = pulses(t[late] - 0.005)
-    found = [align(Known(pulses), t, values, (-0.02, 0.02), (0.0, 0.0), horizon=h) for h in (0.3, np.inf)]
-    assert found[0].offset == pytest.approx(0, abs=1e-6) and abs(found[1].offset) > 4e-3
+    actual = [align(Known(pulses), t, values, (-0.02, 0.02), (0.0, 0.0), horizon=h) for h in (0.3, np.inf)]
+    assert actual[0].offset == pytest.approx(0, abs=1e-6) and abs(actual[1].offset) > 4e-3
     assert "beyond the horizon" in align(Known(pulses), t, values, (-0.02, 0.02), (0.0, 0.0), horizon=0.01).doubts[0]
 
 
@@ -158,6 +158,6 @@ def test_errors_that_take_correlated_noise_for_white_would_be_seen(monkeypatch):
 
 def test_an_offset_outside_the_search_has_no_error():
     t, values = measured(pulses, 0.001, 0.0, noise=0.1)
-    found = align(Known(pulses), t, values, (0.0, 2e-3), (0.0, 0.0))
-    assert found.offset_error > 0 and np.isnan(found.drift_error)
+    actual = align(Known(pulses), t, values, (0.0, 2e-3), (0.0, 0.0))
+    assert actual.offset_error > 0 and np.isnan(actual.drift_error)
     assert np.isnan(align(Known(pulses), t, values, (0.001, 0.001), (0.0, 0.0)).offset_error)

@@ -71,8 +71,8 @@ def test_numbers_of_a_residual():
 def test_log_spectral_distance_is_that_of_the_gain():
     """Oracle: ten times the amplitude is 20 dB at every frequency. The same signal late in time has the same spectrum."""
     x = noise(5)
-    found = spectrum_of(series_of(T, 10 * x, x), 400.0, coherent=True, noise=None)
-    assert found.distance == pytest.approx(20, abs=1e-6) and found.coherence == pytest.approx(1)
+    actual = spectrum_of(series_of(T, 10 * x, x), 400.0, coherent=True, noise=None)
+    assert actual.distance == pytest.approx(20, abs=1e-6) and actual.coherence == pytest.approx(1)
     late = spectrum_of(series_of(T, np.roll(x, 2000), x), 400.0, coherent=True, noise=None)
     assert late.distance < 2.5 and late.coherence < 0.3
 

@@ -67,9 +67,9 @@ def test_statistics_of_a_wave_are_its_closed_forms():
     x = 3 * np.sin(2 * np.pi * times)
     x[::7] = np.nan
     kinds = ["mean", "rms", "norm8", "largest", "excursions"]
-    found = series_statistics(times, x[:, None], [SeriesMoment.of(kind, 0, x) for kind in kinds], 1.0)
-    assert found.values == pytest.approx([0, 3 / math.sqrt(2), 3 * (35 / 128) ** 0.125, 3, 2], abs=0.12)
-    assert found.values[:4] == pytest.approx([0, 3 / math.sqrt(2), 3 * (35 / 128) ** 0.125, 3], abs=2e-3)
+    result = series_statistics(times, x[:, None], [SeriesMoment.of(kind, 0, x) for kind in kinds], 1.0)
+    assert result.values == pytest.approx([0, 3 / math.sqrt(2), 3 * (35 / 128) ** 0.125, 3, 2], abs=0.12)
+    assert result.values[:4] == pytest.approx([0, 3 / math.sqrt(2), 3 * (35 / 128) ** 0.125, 3], abs=2e-3)
 
 
 BLOCKS, LONG, INTERVALS = 29, 134, 4000  # ceil(4000 / 30) intervals to a block

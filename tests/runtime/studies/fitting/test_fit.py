@@ -49,10 +49,10 @@ def test_public_rebounds_give_their_restitution(walls, e):
 def test_a_stiffness_has_the_exponent_of_its_law_in_its_unit(ball):
     data = MeasuredImpacts([1], {"peak_force": [9e4]}, {"peak_force": "N"})
     noise, free = {"peak_force": "100 N"}, {"stiffness": "2e10..3e10 N/m^1.5 log"}
-    found = fit(ball, data, free=free, noise=noise, duration="0.5 s", starts=1, profile=False)["stiffness"]
-    assert found.unit == "N/m^1.5"
-    assert "N/m^1.5 (" in str(found)
-    assert str(replace(found, unit="N/m^exponent")).endswith("its unit depends on exponent")
+    actual = fit(ball, data, free=free, noise=noise, duration="0.5 s", starts=1, profile=False)["stiffness"]
+    assert actual.unit == "N/m^1.5"
+    assert "N/m^1.5 (" in str(actual)
+    assert str(replace(actual, unit="N/m^exponent")).endswith("its unit depends on exponent")
 
 
 def test_a_rebound_is_as_high_as_the_next_impact_is_fast(ball):
@@ -103,22 +103,22 @@ def test_derivatives_are_those_of_the_predictions(ball):
         [1, 2], {"t": [0.45, 1.3], "speed": [4, 3.6], "rise": [0.9, np.nan]}, {"t": "s", "speed": "m/s", "rise": "m"}
     )
     names = {"t": "impacts.t", "speed": "floor.impacts.speed", "rise": f"impacts.rebound.{TRAVEL}"}
-    asked = read_fit(
+    requested = read_fit(
         ball, [Experiment(heights(runs[0]), {"drop_height": "0.8 m"}), Experiment(impacts, {"drop_height": "1 m"}, duration="1.6 s")],
         {"restitution": (0.3, 1), "gravity": "9..11 m/s^2"}, map={"height": TRAVEL, **names}, noise=None, parameters=None,
         initial=None, inputs=None, duration=None, offset="-10..10 ms", gain={"height": "0.9..1.1"}, tolerance=1e-12,
         method="dop853", starts=1, seed=0, compiled=False, profile=False,
     )  # fmt: skip
-    forward = asked.forward()
+    forward = requested.forward()
     x = np.array([free.inner(v) for free, v in zip(forward.searched, (0.88, 9.7, 3.1e-3, -2.3e-3, 1.04), strict=True)])
-    found = forward.slopes(x)
-    assert found.shape == (60 + 5, 5) and np.all(np.isfinite(forward.at(x).predicted))
+    actual = forward.slopes(x)
+    assert actual.shape == (60 + 5, 5) and np.all(np.isfinite(forward.at(x).predicted))
     for j in range(5):
         step = np.zeros(5)
         step[j] = 1e-4
         difference = (forward.at(x + step).predicted - forward.at(x - step).predicted) / 2e-4
         size = max(np.max(np.abs(difference)), 1e-3)
-        close = np.abs(found[:, j] - difference) < 2e-6 * size
+        close = np.abs(actual[:, j] - difference) < 2e-6 * size
         assert np.sum(~close) <= 1  # a sample that the difference carries over an impact
 
 
@@ -198,8 +198,8 @@ def test_tables_of_impacts(tmp_path, rows, fault):
     file = tmp_path / "impacts.csv"
     file.write_text(f"impact [1],t [s]\n{rows}", encoding="utf-8")
     if fault is None:
-        found = read_impacts(file)
-        assert list(found.numbers) == [1, 3] and list(found.si("t")) == [0.1, 0.4]
+        actual = read_impacts(file)
+        assert list(actual.numbers) == [1, 3] and list(actual.si("t")) == [0.1, 0.4]
     else:
         with pytest.raises(InputError, match=fault):
             read_impacts(file)
@@ -213,7 +213,7 @@ def test_a_profile_of_a_linear_model_is_its_curvature(ball):
         "noise": HEIGHT["noise"],
         "starts": 0,
     }
-    linear, profile = (fit(ball, data, profile=asked, **how) for asked in (False, True))
+    linear, profile = (fit(ball, data, profile=requested, **how) for requested in (False, True))
     for name in how["free"]:
         one, other = linear[name].interval, profile[name].interval
         width = one.high - one.low

@@ -61,7 +61,7 @@ def test_weights_are_akaikes(ball):
         "gain": None, "tolerance": 1e-11, "method": "dop853", "starts": 0, "seed": 0, "compiled": False, "profile": False,
     }  # fmt: skip
     start = {"vertical.travel": "1..1.2 m"}
-    found = ranked({
+    result = ranked({
         "free": read_fit(ball, data, {"gravity": "9..11 m/s^2", **start}, parameters=None, **options),
         "held": read_fit(ball, data, start, parameters={"gravity": "9.81 m/s^2"}, **options),
     })  # fmt: skip
@@ -73,11 +73,11 @@ def test_weights_are_akaikes(ball):
 
     ones = np.ones(40)
     apart = aicc(ones, -(t**2) / 2) - aicc(ones)
-    weights = {law.name: law.weight for law in found.laws}
+    weights = {law.name: law.weight for law in result.laws}
     assert 1 < apart < 4
     assert weights["held"] == pytest.approx(1 / (1 + np.exp(-apart / 2)), abs=1e-6)
     assert weights["free"] == pytest.approx(1 / (1 + np.exp(apart / 2)), abs=1e-6)
-    assert [law.name for law in found.laws] == ["held", "free"]
+    assert [law.name for law in result.laws] == ["held", "free"]
 
 
 def test_runs_held_out_are_judged_by_the_fit_of_the_others(ball):

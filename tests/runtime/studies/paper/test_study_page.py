@@ -245,8 +245,8 @@ def test_a_study_that_is_stopped_keeps_its_rows_and_goes_on(hertzwerk, tmp_path,
     done = hertzwerk("--resume", "runs/swept-study-001")
     assert done.exit_code == 0, done.output
     assert (tmp_path / "computed").read_text() == "." * {True: 8, False: 12, "damaged": 9}[kept]
-    found = "drops: rows.sqlite was damaged: 7 rows of it are whole; row 2 damaged"
-    assert (found in " ".join(done.stdout.split())) == (kept == "damaged")
+    actual = "drops: rows.sqlite was damaged: 7 rows of it are whole; row 2 damaged"
+    assert (actual in " ".join(done.stdout.split())) == (kept == "damaged")
     assert len(json.loads((folder / "study.json").read_text())["damage"]) == (kept == "damaged")
     assert json.loads((folder / "study.json").read_text())["command"].endswith("swept.py --quick")
     assert len((folder / "drops.csv").read_text().splitlines()) == 9

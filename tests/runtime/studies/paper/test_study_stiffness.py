@@ -48,8 +48,8 @@ def test_a_fault_in_the_forces_fails_its_verdict(laws):
 
 
 def test_local_exponents_are_those_of_the_formulas(laws):
-    found = {law.name: law.exponent() for law in laws}
-    assert found["hertz_point"] == pytest.approx(1.5)
-    assert found["popov_line"] == pytest.approx(1)
+    actual = {law.name: law.exponent() for law in laws}
+    assert actual["hertz_point"] == pytest.approx(1.5)
+    assert actual["popov_line"] == pytest.approx(1)
     x = study.DEPTH / study.CLEARANCE
-    assert found["liu_with_length"] == pytest.approx(1 + 0.5 / (1 + x), rel=1e-3)
+    assert actual["liu_with_length"] == pytest.approx(1 + 0.5 / (1 + x), rel=1e-3)

@@ -98,9 +98,9 @@ def test_a_chain_that_is_killed_goes_on_from_the_rows_that_are_stored(tmp_path):
         return subprocess.Popen([sys.executable, "-c", FOLLOWED, str(tmp_path / folder)], stdout=subprocess.PIPE)
 
     stored = []
-    for told in (3, 6):
+    for reported in (3, 6):
         process = start("killed")
-        for _ in range(told + 1):  # the first line comes before any row
+        for _ in range(reported + 1):  # the first line comes before any row
             assert process.stdout.readline()
         process.kill()
         process.communicate()

@@ -156,9 +156,9 @@ def ends_of(whole, tmp_path, seeds):
 
 
 def test_random_damage_changes_no_number_and_loses_no_row_that_sqlite_reads(whole, tmp_path):
-    read, kept, found, refused = ends_of(whole, tmp_path, range(40))
+    read, kept, actual, refused = ends_of(whole, tmp_path, range(40))
     assert read < kept < 40 * ROWS  # more than SQLite reads, and some are damaged
-    assert found > 10
+    assert actual > 10
     assert refused > 5
 
 

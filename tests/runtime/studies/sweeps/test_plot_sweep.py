@@ -87,13 +87,13 @@ def test_two_parameters_are_a_map_with_every_value_at_its_place(broken):
     page = figure(two(broken), ["pin.force"])
     axis = page.axes[0]
     (mesh,) = axis.collections
-    found = mesh.get_array()
+    actual = mesh.get_array()
     for i, speed in enumerate(SPEEDS):
         for j, height in enumerate(HEIGHTS):
             if broken == 3 * i + j:
-                assert np.ma.is_masked(found[j, i])
+                assert np.ma.is_masked(actual[j, i])
             else:
-                assert found[j, i] == pytest.approx(force(speed, height) / 1e3)
+                assert actual[j, i] == pytest.approx(force(speed, height) / 1e3)
     corners = mesh.get_coordinates()
     assert np.all(corners[0, :-1, 0] < SPEEDS) and np.all(corners[0, 1:, 0] > SPEEDS)
     marked = [(SPEEDS[2], HEIGHTS[1])] if broken else []

@@ -148,9 +148,9 @@ def test_readings_that_are_derived_otherwise_are_computed_anew(tmp_path, monkeyp
 
 def test_equal_points_share_a_row(ball, tmp_path, counted):
     height, computed = counted
-    found = sweep(ball, {"drop_height": "1, 1 m"}, functions={"n": height}, out=tmp_path / "a", **BALL)
-    assert (len(found), computed()) == (2, 1)
-    assert found.rows[0].outputs == found.rows[1].outputs
+    actual = sweep(ball, {"drop_height": "1, 1 m"}, functions={"n": height}, out=tmp_path / "a", **BALL)
+    assert (len(actual), computed()) == (2, 1)
+    assert actual.rows[0].outputs == actual.rows[1].outputs
 
 
 def test_a_folder_of_something_else_is_left_alone(ball, tmp_path):
@@ -220,9 +220,9 @@ def test_a_row_is_written_through_though_no_other_follows(tmp_path, monkeypatch,
     with sweep_store.opened(tmp_path / "a") as opened:
         opened.add({"k": row(0)}, {})
         deadline = time.monotonic() + (2 if broken else 30)
-        while (found := on_disk(tmp_path / "a", tmp_path / "copy")) != ["k"] and time.monotonic() < deadline:
+        while (actual := on_disk(tmp_path / "a", tmp_path / "copy")) != ["k"] and time.monotonic() < deadline:
             time.sleep(0.05)
-    assert found == ([] if broken else ["k"])
+    assert actual == ([] if broken else ["k"])
     assert sweep_store.SYNC < 1
 
 

@@ -80,18 +80,18 @@ def test_constant_outputs_have_no_sobol_indices(fallen):
 def test_a_product_has_an_interaction(ball):
     """Kinetic energy m (g t)^2/2 of two independent factors: V = E[a]^2 V[b] + E[b]^2 V[a] + V[a] V[b]."""
     uncertain = {"mass": Uniform("0.2 kg", "1.8 kg"), "gravity": LogNormal("9.81 m/s^2", 1.3)}
-    (found,) = propagate(
+    (result,) = propagate(
         ball, uncertain, [], functions={"energy": lambda run: run.settings.parameters["mass"][0] * run.engine.final["vertical.speed"] ** 2 / 2},
         sample=256, duration="0.2 s", **SHORT,
     )  # fmt: skip
     a, b = stats.uniform(0.2, 1.6), stats.lognorm(2 * math.log(1.3), scale=(G * 0.2) ** 2 / 2)
     terms = np.array([a.mean() ** 2 * b.var(), b.mean() ** 2 * a.var(), a.var() * b.var()])
-    assert found.std == pytest.approx(math.sqrt(terms.sum()), rel=0.05)
-    assert found.first["gravity"].value == pytest.approx(terms[0] / terms.sum(), abs=0.05)
-    assert found.total["mass"].value == pytest.approx((terms[1] + terms[2]) / terms.sum(), abs=0.08)
-    assert found.total["mass"].value > found.first["mass"].value + 0.01
-    assert math.isnan(found.linear)
-    assert "function of yours" in found.reason
+    assert result.std == pytest.approx(math.sqrt(terms.sum()), rel=0.05)
+    assert result.first["gravity"].value == pytest.approx(terms[0] / terms.sum(), abs=0.05)
+    assert result.total["mass"].value == pytest.approx((terms[1] + terms[2]) / terms.sum(), abs=0.08)
+    assert result.total["mass"].value > result.first["mass"].value + 0.01
+    assert math.isnan(result.linear)
+    assert "function of yours" in result.reason
 
 
 def test_a_nonlinear_output_is_warned_of(ball):
@@ -188,10 +188,10 @@ def test_covariance_of_lognormal_quantities_is_that_in_closed_form():
     s, rho = (math.log(1.3), math.log(1.1)), -0.6
     drawn = [stats.lognorm(s[0], scale=2.0), stats.lognorm(s[1], scale=3.0), stats.uniform(0, 1)]
     scores = np.array([[1, rho, 0], [rho, 1, 0.5], [0, 0.5, 1]])
-    found = covariance(drawn, scores)
-    assert found[0, 1] == pytest.approx(drawn[0].mean() * drawn[1].mean() * math.expm1(rho * s[0] * s[1]), rel=1e-9)
-    assert found[2, 2] == pytest.approx(1 / 12)
-    assert found[0, 2] == 0
+    result = covariance(drawn, scores)
+    assert result[0, 1] == pytest.approx(drawn[0].mean() * drawn[1].mean() * math.expm1(rho * s[0] * s[1]), rel=1e-9)
+    assert result[2, 2] == pytest.approx(1 / 12)
+    assert result[0, 2] == 0
     points = correlated_parts(((np.arange(3 * 4096).reshape(3, -1) + 0.5) * [[0.618], [0.414], [0.732]]) % 1, scores)
     ranks = stats.spearmanr(points[0], points[1]).statistic
     assert ranks == pytest.approx(6 / math.pi * math.asin(rho / 2), abs=0.05)  # of a Gaussian copula

@@ -194,8 +194,8 @@ def test_size_and_thickness_are_what_a_caliper_and_a_scale_would_show(law):
     rows = [[name for name, _ in model.OUTPUTS].index(f"oil.{what}") for what in ("force", "thickness")]
     for e, thickness in (((3e-5, 4e-5), C - 5e-5), ((0, 0), C), ((0, -C), LAYER), ((C + LAYER, 0), LAYER)):
         q, u = state(e, (0.01, -0.03), 200.0)
-        size, found = model.call("outputs", t=0.0, q=q, u=u)[rows]
-        assert found == pytest.approx(thickness, rel=1e-9)
+        size, actual = model.call("outputs", t=0.0, q=q, u=u)[rows]
+        assert actual == pytest.approx(thickness, rel=1e-9)
         if np.hypot(*e) < C - 2 * LAYER:
             assert size == pytest.approx(np.hypot(*by_quadrature(law, e, (0.01, -0.03), 200.0, 0.0)[:2]), rel=1e-9)
 

@@ -205,10 +205,10 @@ def test_the_points_of_contact_are_those_of_involutes(gears):
     length = np.sqrt(0.0752**2 - sum(base) ** 2)  # between the points where the line of action touches the base circles
     for angle in np.linspace(0, 0.3, 7):
         q = np.array([angle, np.pi + np.pi / 30 - angle * 20 / 30])
-        found = dict(zip(names, gears.call("outputs", q=q, u=np.zeros(2), a=np.zeros(2)), strict=False))
-        s = [found[f"mesh_2.{which}_parameter"] % 1 for which in ("first", "second")]
+        actual = dict(zip(names, gears.call("outputs", q=q, u=np.zeros(2), a=np.zeros(2)), strict=False))
+        s = [actual[f"mesh_2.{which}_parameter"] % 1 for which in ("first", "second")]
         ways = [r * roll * (0.04 + 0.96 * part) for r, roll, part in zip(base, rolls, s, strict=True)]
-        assert sum(ways) + found["mesh_2.gap"] == pytest.approx(length, rel=1e-12)
+        assert sum(ways) + actual["mesh_2.gap"] == pytest.approx(length, rel=1e-12)
 
 
 BASE = np.array([0.030, 0.045]) * np.cos(np.radians(20))
@@ -290,7 +290,7 @@ def test_all_faults_come_at_once():
             (),
             hd.Scales(R, hd.Parameter("pace", "m/s", 1), R),
         )
-    found = str(error.value)
+    actual = str(error.value)
     for text in (
         "curve none, pieces: found ()",
         "pair mixed, curves: found a curve and an outline",
@@ -304,7 +304,7 @@ def test_all_faults_come_at_once():
         "pair strange, first teeth: found 'teeth'",
         "teeth text, module: found '3 mm'",
     ):
-        assert text in found, text
+        assert text in actual, text
     with pytest.raises(hd.InputError, match="a Z of the first curve"):
         turned = PLATE.at(0, 0, 0).turned(hd.X, hd.Parameter("half", "deg", 180))
         Derived(touching(EGG, OVAL, turned))

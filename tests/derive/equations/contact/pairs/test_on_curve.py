@@ -165,14 +165,14 @@ def test_all_faults_come_at_once():
     joints = (hd.Revolute("shaft", hd.GROUND, CAM, axis=hd.Z), hd.Planar("free", hd.GROUND, PLATE))
     with pytest.raises(hd.InputError) as error:
         hd.Scene(hd.Mechanism("faulty", joints, pairs), (), hd.Scales(R, hd.Parameter("pace", "m/s", 1), R))
-    found = str(error.value)
+    result = str(error.value)
     for text in (
         "runs clockwise", "curve half: found ends", "crosses itself", "30*cos(s)", "curve no_metres, x", "no length", "stands still",
         "curve gap: found no numbers", "curve strange, x: found Direction", "symbol q", "from 2 to 1", "name 'open hole'", "open curve as a hole",
         "curve flat, x: found",
         "pair touch_11, curve: found 'R*cos(S)'",
     ):  # fmt: skip
-        assert text in found, text
+        assert text in result, text
 
 
 def test_names_of_a_curve_are_its_own():

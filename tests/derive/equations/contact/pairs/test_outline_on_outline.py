@@ -80,8 +80,8 @@ def test_rates_are_those_of_differences(stones):
 def test_each_kind_of_place_equals_its_closed_form(stones, x, y, angle, gap, normal):
     """Of the gap, and of its rate as the stone moves and turns."""
     v = np.array([0.3, -0.7])
-    found = gaps(stones, (0, 1e-3 * x, 1e-3 * y, angle), (0, *v, 0))
-    assert found[:2] == pytest.approx((1e-3 * gap, np.dot(normal, v)), rel=1e-11)
+    actual = gaps(stones, (0, 1e-3 * x, 1e-3 * y, angle), (0, *v, 0))
+    assert actual[:2] == pytest.approx((1e-3 * gap, np.dot(normal, v)), rel=1e-11)
 
 
 def test_a_disc_in_a_ring_is_a_journal():
@@ -168,9 +168,9 @@ def test_the_tips_of_a_locked_hollow_leave_the_free_play_of_a_triangle(geneva, c
         for share in (0.5, 1, 1.01):
             angle = np.pi / 4 + side * share * free
             gap = np.sqrt(D**2 + r**2 - 2 * D * r * np.cos(tip(hollow) - share * free)) - disc
-            found = geneva.call("gaps", t=t, q=np.array([angle]), u=np.zeros(1))[0][1]
-            assert found == pytest.approx(gap, abs=1e-14)
-            assert (found > -1e-16) == (share <= 1)
+            actual = geneva.call("gaps", t=t, q=np.array([angle]), u=np.zeros(1))[0][1]
+            assert actual == pytest.approx(gap, abs=1e-14)
+            assert (actual > -1e-16) == (share <= 1)
 
 
 @pytest.mark.parametrize("crank", [-60, -50, 47, 60])
@@ -185,13 +185,13 @@ def test_beside_its_recess_the_edge_of_the_disc_locks_the_wheel(geneva, crank):
     assert turned > 1e-5
     for share in (0.5, 1):
         apart = np.sqrt(rho**2 + D**2 - 2 * rho * D * np.cos(abs(np.arctan2(y, x)) + share * turned))
-        found = geneva.call(
+        actual = geneva.call(
             "gaps",
             t=np.radians(crank + 60) / (4 * np.pi),
             q=np.array([np.pi / 4 + side * share * turned]),
             u=np.zeros(1),
         )[0][1]
-        assert found == pytest.approx(hollow - apart, abs=1e-14)
+        assert actual == pytest.approx(hollow - apart, abs=1e-14)
 
 
 def test_an_edge_of_the_disc_passes_a_tip_that_is_pressed_in_without_a_jump_of_the_gap(geneva):

@@ -244,8 +244,8 @@ def test_a_bounded_face_makes_no_contact_beyond_its_ends():
         (0.95, -0.3, -0.05),
         (-0.7, -0.9, -0.3),
     ):
-        (found, *_) = derived.call("gaps", q=[x, y, 0.4], u=np.zeros(3))
-        assert found == pytest.approx([gap], rel=1e-12)
+        (outcome, *_) = derived.call("gaps", q=[x, y, 0.4], u=np.zeros(3))
+        assert outcome == pytest.approx([gap], rel=1e-12)
         f, *_ = derived.call("contact_touch", q=[x, y, 0.4], u=np.zeros(3), m=[])
         towards = np.array([np.sign(x), 0, 0]) if abs(x) > 0.6 else np.array([0, 1, 0])
         assert f == pytest.approx(1e8 * max(-gap, 0) ** 1.5 * towards, rel=1e-12)

@@ -42,11 +42,11 @@ def test_a_motor_switched_on(method, coordinates):
     """Two time constants, the speed without load V/k, and an energy balance that closes; a resistance 1e-4 off shows."""
     run = simulate(engine_model(shaft(motor(), coordinates=coordinates)), duration=1.0, tolerance=1e-8, method=method)
     assert run.outcome.finished
-    found = np.array([run["motor.current"] / (V / R), run["main.speed"] / (V / K)])
+    actual = np.array([run["motor.current"] / (V / R), run["main.speed"] / (V / K)])
     size = np.array([[V / R], [V / K]])
-    error = np.max(np.abs(found - step_response(run.t) / size))
+    error = np.max(np.abs(actual - step_response(run.t) / size))
     assert error < 6e-7
-    assert np.max(np.abs(found - step_response(run.t, R * (1 + 1e-4)) / size)) > 1e-5 > error
+    assert np.max(np.abs(actual - step_response(run.t, R * (1 + 1e-4)) / size)) > 1e-5 > error
     assert run["main.speed"][-1] == pytest.approx(V / K, rel=1e-2)
     assert run["motor.torque"] == pytest.approx(K * run["motor.current"], rel=1e-12)
     # kinetic energy, that of the inductance, heat: the electric energy is their sum

@@ -45,8 +45,8 @@ def test_first_root_of_random_polynomials(seed):
         roots = np.sort([r.real for r in p.roots() if 0 <= r.real <= 1])
         if len(roots) > 1 and np.min(np.diff(roots)) < 0.13:  # two in one part of the step: a graze, tested below
             continue
-        found = float(SEARCH(bernstein(p), 1e-14, 0))
-        assert found == pytest.approx(first_root(p), rel=1e-9, abs=1e-11)
+        actual = float(SEARCH(bernstein(p), 1e-14, 0))
+        assert actual == pytest.approx(first_root(p), rel=1e-9, abs=1e-11)
         checked += 1
     assert checked > 3
 

@@ -83,14 +83,14 @@ def test_near_singular_positions_no_step_is_implicit(monkeypatch):
 def test_the_method_that_passes_is_the_explicit_one(tables, explicit, implicit):
     """Of those that auto chooses from as well; a method that has not taken it yet asks for it."""
     state = Layout(dict.fromkeys(("ahead", "h", "method", "status"), 1))
-    choose, ask = (
+    choose, requested = (
         singular_positions.explicit_near(state, tables, taken) for taken in (tables, tables[implicit : implicit + 1])
     )
     assert choose([0.1, 0.04, implicit, RUNNING]).full().ravel().tolist()[2:] == [implicit, RUNNING]
     assert choose([0.1, 0.06, implicit, RUNNING]).full().ravel().tolist()[2:] == [explicit, RUNNING]
-    assert ask([0.1, 0.04, implicit, RUNNING])[3] == RUNNING
-    assert ask([0.1, 0.06, implicit, RUNNING])[3] == SUSPECT
-    assert ask([0.1, 0.06, implicit, FINISHED])[3] == FINISHED
+    assert requested([0.1, 0.04, implicit, RUNNING])[3] == RUNNING
+    assert requested([0.1, 0.06, implicit, RUNNING])[3] == SUSPECT
+    assert requested([0.1, 0.06, implicit, FINISHED])[3] == FINISHED
 
 
 def test_both_measures_are_needed(monkeypatch):

@@ -33,12 +33,12 @@ def test_the_rate_is_that_of_a_ball(sliding):
     model, rows, controls = sliding
     state = layouts(model).state
     speeds, forces = (rows[:, state[part]][:, 0] for part in ("margin", "force"))
-    found = np.array([float(turning_rate(model)(row, controls)) for row in rows])
+    actual = np.array([float(turning_rate(model)(row, controls)) for row in rows])
     rolls = np.all(rows[:, state["m"]][:, -2:] == 0, axis=1)
     slides = ~rolls & (speeds > 1e-3)
     assert slides.sum() > 5 and rolls.sum() > 2
-    np.testing.assert_allclose(found[slides], MU * forces[slides] / MASS * 7 / speeds[slides], rtol=1e-7)
-    assert not found[rolls].any()
+    np.testing.assert_allclose(actual[slides], MU * forces[slides] / MASS * 7 / speeds[slides], rtol=1e-7)
+    assert not actual[rolls].any()
 
 
 def test_the_method_that_passes_is_the_implicit_one(sliding):
@@ -80,10 +80,10 @@ def test_a_body_breaks_loose_in_few_steps(method):
 
     With smooth friction dopri5 takes 1,900 for all .17 s.
     """
-    found = run(replace(body_of(219, 77), duration=0.17), tolerance=1e-9, method=method, max_steps=2000)
-    assert found.outcome.finished
-    last = np.flatnonzero(found["floor.slip"] == 0)[-1]
-    assert found.t[last + 1] == pytest.approx(0.14683035198, abs=2e-9)
+    actual = run(replace(body_of(219, 77), duration=0.17), tolerance=1e-9, method=method, max_steps=2000)
+    assert actual.outcome.finished
+    last = np.flatnonzero(actual["floor.slip"] == 0)[-1]
+    assert actual.t[last + 1] == pytest.approx(0.14683035198, abs=2e-9)
     for name, value in LOOSE.items():
-        scale = found.engine.scales.state[list(found.engine.model.units).index(f"flight.{name}")]
-        assert found.engine.final[f"flight.{name}"] == pytest.approx(value, abs=3e-8 * scale)
+        scale = actual.engine.scales.state[list(actual.engine.model.units).index(f"flight.{name}")]
+        assert actual.engine.final[f"flight.{name}"] == pytest.approx(value, abs=3e-8 * scale)

@@ -94,8 +94,8 @@ def test_a_ball_with_side_spin_runs_on_a_parabola_until_it_rolls(method, coordin
     assert run.t[rolls[0]] == pytest.approx(end, rel=1e-7)
     rows = run.at(np.array([0.5 * end, 0.9 * end]))
     for i, t in enumerate((0.5 * end, 0.9 * end)):
-        found = [rows[f"flight.{axis}"][i] for axis in "xz"]
-        assert found == pytest.approx(np.array([2 * t, 0]) + pull * t * t / 2, rel=1e-7)
+        result = [rows[f"flight.{axis}"][i] for axis in "xz"]
+        assert result == pytest.approx(np.array([2 * t, 0]) + pull * t * t / 2, rel=1e-7)
     final = [run.engine.final[f"flight.{axis}_speed"] for axis in "xz"]
     assert final == pytest.approx(np.array([2, 0]) + pull * end, rel=1e-7)
     assert run.engine.final["rub.dissipated"] == pytest.approx(MASS * speed**2 / 7, rel=1e-7)

@@ -337,5 +337,5 @@ def test_the_bound_of_uniqueness():
         assert np.sign(least([1], [[3]], [[0]], [[value]], [[2]], [[0]])) == sign
         assert np.sign(least([1], [[2]], [[4 * value]], [[0]], [[1]], [[0]])) == sign
     for load_, sign in ((0.249, 1), (0.251, -1)):
-        found = monotone(ca.SX(4 * load_), ca.SX(0.5), ca.SX(0.5))
-        assert np.sign(float(ca.DM(ca.evalf(found)))) == sign
+        actual = monotone(ca.SX(4 * load_), ca.SX(0.5), ca.SX(0.5))
+        assert np.sign(float(ca.DM(ca.evalf(actual)))) == sign

@@ -48,12 +48,12 @@ def wheel(coefficient=None, *more) -> hd.Scene:
 @pytest.mark.parametrize("coordinates", BOTH)
 @pytest.mark.parametrize("method", ["dop853", "esdirk"])
 def test_a_wheel_rolls_downhill_at_two_thirds_of_g_sin(coordinates, method):
-    found, down = run(wheel(), coordinates, method=method), 9.81 * np.sin(0.4)
-    assert found["ride.x_speed"] == pytest.approx(2 / 3 * down * found.t, abs=EXACT)
-    assert found["ride.angle_speed"] == pytest.approx(-2 / 3 * down * found.t / 0.3, abs=EXACT)
-    assert found["tyre.normal_force"] == pytest.approx(2 * 9.81 * np.cos(0.4), rel=EXACT)
-    assert found["tyre.friction_force"] == pytest.approx(2 * down / 3, rel=EXACT)  # along z x normal: uphill
-    assert not found.warnings
+    actual, down = run(wheel(), coordinates, method=method), 9.81 * np.sin(0.4)
+    assert actual["ride.x_speed"] == pytest.approx(2 / 3 * down * actual.t, abs=EXACT)
+    assert actual["ride.angle_speed"] == pytest.approx(-2 / 3 * down * actual.t / 0.3, abs=EXACT)
+    assert actual["tyre.normal_force"] == pytest.approx(2 * 9.81 * np.cos(0.4), rel=EXACT)
+    assert actual["tyre.friction_force"] == pytest.approx(2 * down / 3, rel=EXACT)  # along z x normal: uphill
+    assert not actual.warnings
 
 
 def test_a_run_warns_where_friction_could_not_hold_it():
@@ -82,13 +82,13 @@ def test_a_run_warns_where_the_surfaces_would_part():
         (hd.Planar("ride", hd.GROUND, ball, normal=hd.Z),), (pair,), hd.Gravity("gravity", g, direction=-hd.Y),
         hd.RollingWithoutSlip("rolls", "hill"), **start
     )  # fmt: skip
-    found = run(declared, duration=2.0)
-    cosine = found["ride.y"] / 1.3
-    leaves = np.interp(0, -found["rolls.normal_force"], cosine)
+    actual = run(declared, duration=2.0)
+    cosine = actual["ride.y"] / 1.3
+    leaves = np.interp(0, -actual["rolls.normal_force"], cosine)
     assert leaves == pytest.approx(10 / 17 * np.cos(0.1), rel=1e-2)  # between two steps
     force = 2 * 9.81 * (17 * cosine - 10 * np.cos(0.1)) / 7
-    assert found["rolls.normal_force"] == pytest.approx(force, abs=1e-7)
-    (warning,) = found.warnings
+    assert actual["rolls.normal_force"] == pytest.approx(force, abs=1e-7)
+    (warning,) = actual.warnings
     assert warning.startswith("rolls holds its surfaces together with ")
 
 
@@ -111,11 +111,11 @@ def test_a_cylinder_rolls_in_a_trough_as_a_pendulum(trough):
     start = {"ride.x": (WIDE - r) * sp.sin(LIFT), "ride.y": (r - WIDE) * sp.cos(LIFT)}  # fmt: skip
     declared = scene(joints, (pair,), *effects, position=start)
     slow = np.sqrt(3 * 0.7 / (2 * 9.81))
-    found = run(declared, duration=4 * slow * ellipk(np.sin(0.6) ** 2))
-    assert found["ride.x"][-1] == pytest.approx(0.7 * np.sin(1.2), abs=EXACT)
-    cosine, sine = -found["ride.y"] / 0.7, found["ride.x"] / 0.7
-    assert found["rolls.normal_force"] == pytest.approx(2 * 9.81 * (7 * cosine - 4 * np.cos(1.2)) / 3, abs=1e-7)
-    assert np.abs(found["rolls.friction_force"]) == pytest.approx(np.abs(2 * 9.81 * sine / 3), abs=1e-7)
+    actual = run(declared, duration=4 * slow * ellipk(np.sin(0.6) ** 2))
+    assert actual["ride.x"][-1] == pytest.approx(0.7 * np.sin(1.2), abs=EXACT)
+    cosine, sine = -actual["ride.y"] / 0.7, actual["ride.x"] / 0.7
+    assert actual["rolls.normal_force"] == pytest.approx(2 * 9.81 * (7 * cosine - 4 * np.cos(1.2)) / 3, abs=1e-7)
+    assert np.abs(actual["rolls.friction_force"]) == pytest.approx(np.abs(2 * 9.81 * sine / 3), abs=1e-7)
     assert modes(engine_model(declared), parameters={"lift": "0 rad"}).frequencies[0] == pytest.approx(
         1 / (2 * np.pi * slow)
     )
@@ -133,14 +133,14 @@ def test_an_ellipse_rolls_on_a_line_by_its_length(coordinates):
         (hd.Gravity("gravity", g, direction=-hd.Y), hd.RollingWithoutSlip("rolls", "bed")),
     )
     start = {"position": {"ride.x": 0 * r, "ride.y": hd.Parameter("low", "m", b)}, "speed": {"ride.x": -pace}}  # fmt: skip
-    found = run(scene(joints, (pair,), *effects, **start), coordinates, duration=0.35)
-    angle = found["ride.angle"]
+    actual = run(scene(joints, (pair,), *effects, **start), coordinates, duration=0.35)
+    angle = actual["ride.angle"]
     high = np.hypot(a * np.sin(angle), b * np.cos(angle))
-    assert found["ride.y"] == pytest.approx(high, abs=EXACT)
+    assert actual["ride.y"] == pytest.approx(high, abs=EXACT)
     lead = (a**2 - b**2) * np.sin(angle) * np.cos(angle) / high
     unrolled = a * ellipeinc(np.arctan2(a * np.sin(angle), b * np.cos(angle)), 1 - (b / a) ** 2)
     assert angle[-1] > 0.7
-    assert found["ride.x"] == pytest.approx(lead - unrolled, abs=EXACT)
+    assert actual["ride.x"] == pytest.approx(lead - unrolled, abs=EXACT)
 
 
 def turntable(**start) -> hd.Scene:
@@ -158,11 +158,11 @@ def test_a_ball_on_a_turntable_circles_at_two_sevenths_of_its_speed(coordinates)
     away, vx, vy = hd.Parameter("away", "m", 0.7), hd.Parameter("vx", "m/s", 0.2), hd.Parameter("vy", "m/s", 0.5)
     position = {"ball.x": away, "ball.z": r}
     declared = turntable(position=position, speed={"ball.x": vx, "ball.y": vy, "ball.angular_speed_z": pull})
-    found = run(declared, coordinates, duration=4.0)
+    actual = run(declared, coordinates, duration=4.0)
     rate = 2 / 7 * 3.0
-    path = found["ball.x"] + 1j * found["ball.y"]
+    path = actual["ball.x"] + 1j * actual["ball.y"]
     speed = 0.2 + 0.5j
-    assert path == pytest.approx(0.7 + speed * (np.exp(1j * rate * found.t) - 1) / (1j * rate), abs=1e-8)
+    assert path == pytest.approx(0.7 + speed * (np.exp(1j * rate * actual.t) - 1) / (1j * rate), abs=1e-8)
 
 
 def sleigh() -> hd.Scene:
@@ -177,11 +177,11 @@ def sleigh() -> hd.Scene:
 @pytest.mark.parametrize("coordinates", BOTH)
 def test_a_sleigh_with_a_knife_edge_runs_straight_in_the_end(coordinates):
     """Chaplygin's sleigh: v = k w0 tanh(a w0 t/k) and w = w0 sech(a w0 t/k), k^2 = (J + m a^2)/m."""
-    found, k = run(sleigh(), coordinates, duration=3.0), np.sqrt(0.1 / 2 + 0.25**2)
-    grown = 0.25 * 2 * found.t / k
-    assert found["sleigh.angle_speed"] == pytest.approx(2 / np.cosh(grown), abs=1e-8)
-    assert found["sleigh.angle"] == pytest.approx(4 * k / 0.5 * np.arctan(np.tanh(grown / 2)), abs=1e-8)
-    assert found["skate.side_force"] == pytest.approx(side_force(found.t, k), abs=1e-6)
+    actual, k = run(sleigh(), coordinates, duration=3.0), np.sqrt(0.1 / 2 + 0.25**2)
+    grown = 0.25 * 2 * actual.t / k
+    assert actual["sleigh.angle_speed"] == pytest.approx(2 / np.cosh(grown), abs=1e-8)
+    assert actual["sleigh.angle"] == pytest.approx(4 * k / 0.5 * np.arctan(np.tanh(grown / 2)), abs=1e-8)
+    assert actual["skate.side_force"] == pytest.approx(side_force(actual.t, k), abs=1e-6)
 
 
 def side_force(t, k):
@@ -204,13 +204,13 @@ def test_an_upright_disc_sways_as_fast_as_published(coordinates):
         joints, (pair,), hd.Gravity("gravity", g, direction=-hd.Z), rolling, position=position, speed=speed
     )
     for rate in (12.0, 2.0):
-        found = run(declared, coordinates, duration=0.5, parameters={"spin": f"{rate} rad/s"})
-        q = [found[f"disc.q{k}"] for k in range(4)]
+        actual = run(declared, coordinates, duration=0.5, parameters={"spin": f"{rate} rad/s"})
+        q = [actual[f"disc.q{k}"] for k in range(4)]
         sway = np.emath.sqrt(0.8 * (3 * rate**2 - 9.81 / 0.3))
         middle = 1e-4 * 0.8 * 3 * rate**2 / sway**2  # its path bends with the lean
-        lean = middle + (1e-4 - middle) * np.cos(sway * found.t)
+        lean = middle + (1e-4 - middle) * np.cos(sway * actual.t)
         assert 2 * (q[2] * q[3] + q[0] * q[1]) == pytest.approx(lean.real, rel=1e-5)
-        assert found["rolls.normal_force"] == pytest.approx(2 * 9.81, rel=1e-5)
+        assert actual["rolls.normal_force"] == pytest.approx(2 * 9.81, rel=1e-5)
 
 
 def test_a_rolling_wheel_on_a_spring_rests_and_vibrates_as_one_of_half_again_the_mass():
@@ -221,12 +221,12 @@ def test_a_rolling_wheel_on_a_spring_rests_and_vibrates_as_one_of_half_again_the
 
 def test_derivatives_of_a_rolling_wheel_are_those_of_its_closed_form():
     """x = g sin(slope) t^2/3, whatever its mass and radius."""
-    found = run(wheel(mu))
-    by = found.sensitivities("slope", "r", "m")
-    assert by["ride.x", "slope"] == pytest.approx(9.81 * np.cos(0.4) * found.t**2 / 3, abs=EXACT)
-    assert by["ride.x", "r"] == pytest.approx(0 * found.t, abs=EXACT)
+    actual = run(wheel(mu))
+    by = actual.sensitivities("slope", "r", "m")
+    assert by["ride.x", "slope"] == pytest.approx(9.81 * np.cos(0.4) * actual.t**2 / 3, abs=EXACT)
+    assert by["ride.x", "r"] == pytest.approx(0 * actual.t, abs=EXACT)
     assert by["tyre.normal_force", "m"] == pytest.approx(9.81 * np.cos(0.4), rel=EXACT)
-    assert by["tyre.sliding_velocity", "slope"] == pytest.approx(0 * found.t, abs=EXACT)
+    assert by["tyre.sliding_velocity", "slope"] == pytest.approx(0 * actual.t, abs=EXACT)
 
 
 def test_every_fault_of_rolling_and_edges_is_reported_at_once():

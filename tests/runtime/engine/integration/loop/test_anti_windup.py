@@ -59,7 +59,7 @@ def test_a_sampled_one_is_its_recursion(tracking, limit):
 
 @pytest.mark.parametrize("tracking", [None, 0.2])
 def test_a_continuous_one_beside_another_integrator(tracking):
-    found = run(1.5, tracking=tracking)
+    result = run(1.5, tracking=tracking)
 
     def rates(t, y):
         e = TARGET - y[0]
@@ -69,8 +69,8 @@ def test_a_continuous_one_beside_another_integrator(tracking):
 
     t = np.linspace(0, 1.5, 16)
     other = solve_ivp(rates, (0, 1.5), [0, 0], method="Radau", t_eval=t, rtol=1e-10, atol=1e-10, max_step=1e-3)
-    assert found.at(t)["main.speed"] == pytest.approx(other.y[0], abs=2e-5)
-    assert found.at(t)["control.error"] == pytest.approx(other.y[1], abs=2e-5)
+    assert result.at(t)["main.speed"] == pytest.approx(other.y[0], abs=2e-5)
+    assert result.at(t)["control.error"] == pytest.approx(other.y[1], abs=2e-5)
 
 
 def test_a_command_at_its_limit_does_not_wind_up():

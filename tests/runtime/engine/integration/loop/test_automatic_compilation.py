@@ -81,11 +81,11 @@ def test_without_a_compiler_it_goes_on(crank, eager, monkeypatch):
 @pytest.fixture
 def wanted(clock, monkeypatch):
     """How long a run had to go whenever it asked whether to compile."""
-    asked: list[float] = []
+    requested: list[float] = []
     monkeypatch.setattr(
-        automatic_compilation.Code, "compiled_if_faster", lambda self, elapsed, ahead, poll: asked.append(ahead)
+        automatic_compilation.Code, "compiled_if_faster", lambda self, elapsed, ahead, poll: requested.append(ahead)
     )
-    return asked
+    return requested
 
 
 @pytest.mark.parametrize("limit", [{"max_steps": 2000}, {"wall_time": 0.1}])

@@ -104,8 +104,8 @@ def test_a_pair_far_from_contact_costs_no_event_polynomial(monkeypatch):
         lean = each(lambda model, c=contacts: advance(model, layouts(model), table, c))
         with monkeypatch.context() as patched:
             patched.setattr("hertzwerk.runtime.engine.integration.loop.plain_attempt.pairs_by_polynomial", every_pair)
-            asked = each(lambda model, c=contacts: advance(model, layouts(model), table, c))
-        assert lean < asked - 20
+            requested = each(lambda model, c=contacts: advance(model, layouts(model), table, c))
+        assert lean < requested - 20
         # half is for the time of the next landing, a fifth for gaps that come and go within the step
         assert lean < 90
     assert each(lambda model: no_event_of_any_pair(model, layouts(model))) > 40  # called where a pair may be near
@@ -145,8 +145,8 @@ def test_pairs_that_are_not_evaluated_change_no_bit(monkeypatch, gap):
     options = {"tolerance": 1e-7, "compiled": False}
     lean = hit(row(4), gap, **options)
     monkeypatch.setattr("hertzwerk.runtime.engine.integration.loop.plain_attempt.pairs_by_polynomial", every_pair)
-    asked = hit(EngineModel(row(4).module), gap, **options)
-    assert np.array_equal(lean.engine.history.rows, asked.engine.history.rows)
+    requested = hit(EngineModel(row(4).module), gap, **options)
+    assert np.array_equal(lean.engine.history.rows, requested.engine.history.rows)
 
 
 MARKS = (ca.OP_ERF, ca.OP_ASINH, ca.OP_ATANH)  # which nothing else uses
@@ -169,8 +169,8 @@ def test_free_flight_evaluates_no_contact_and_one_contact_no_other(method):
     (table,) = (table() for table in METHODS[method])
     for contacts in contact_classes(model):
         step = advance(model, layouts(model), table, contacts)
-        found = {f.instruction_id(i) for f in (step, *step.find_functions()) for i in range(f.n_instructions())}
-        assert found & set(MARKS) == {MARKS[j] for j in (range(model.k) if contacts is BY_MODE else contacts)}
+        actual = {f.instruction_id(i) for f in (step, *step.find_functions()) for i in range(f.n_instructions())}
+        assert actual & set(MARKS) == {MARKS[j] for j in (range(model.k) if contacts is BY_MODE else contacts)}
 
 
 @pytest.mark.parametrize("method", [pytest.param("dop853", marks=pytest.mark.exhaustive), "auto"])

@@ -47,15 +47,15 @@ FAULTS = {  # of the run: what is added to a body
 def test_a_wrong_run_is_found(fault):
     (finding,) = judged(body_of(1), (1e-6,), smooth=False, made=lambda body, **more: run(FAULTS[fault](body), **more))
     assert finding.outcome == "finished"
-    assert [found.partition(" ")[0] for found in finding.faults] == ["over", "estimate"]
+    assert [actual.partition(" ")[0] for actual in finding.faults] == ["over", "estimate"]
 
 
 def test_slip_begins_when_the_holding_force_is_exceeded():
     """mu_s = 1.4 mu_k: a landing aims beyond by the bound of rounding; every method was late by it, 1.4e-8 at each tolerance."""
-    found = run(body_of(807), tolerance=1e-12)
-    rows = np.arange(0, len(found.t), 20)
-    (truth,) = motions([body_of(807)], at=found.t[rows].tolist())
-    assert distance(*truth_of(truth, found, rows), found.engine.scales.pace).max() < 3e-9
+    actual = run(body_of(807), tolerance=1e-12)
+    rows = np.arange(0, len(actual.t), 20)
+    (truth,) = motions([body_of(807)], at=actual.t[rows].tolist())
+    assert distance(*truth_of(truth, actual, rows), actual.engine.scales.pace).max() < 3e-9
 
 
 def test_rounding_does_not_turn_a_slip_that_begins():
@@ -66,26 +66,26 @@ def test_rounding_does_not_turn_a_slip_that_begins():
 def test_a_slip_follows_the_direction_of_sliding():
     """Body 107 comes to rest at .279681 s along another way than it began to slide: up to 4.3e-9 off there at tolerances however small."""
     body = replace(body_of(107), duration=0.2797)
-    found = run(body, tolerance=1e-12)
-    rows = np.flatnonzero(found.t > 0.27968)
-    (truth,) = motions([body], at=found.t[rows].tolist())
-    assert distance(*truth_of(truth, found, rows), found.engine.scales.pace).max() < 4e-10
+    actual = run(body, tolerance=1e-12)
+    rows = np.flatnonzero(actual.t > 0.27968)
+    (truth,) = motions([body], at=actual.t[rows].tolist())
+    assert distance(*truth_of(truth, actual, rows), actual.engine.scales.pace).max() < 4e-10
 
 
 def test_steps_go_on_where_rounding_turns_friction():
     """Body 209 breaks loose at .27471 s: in its slow slip Newton's changes are last digits, which do not contract; 100,000 steps of 1e-11 s."""
-    found = run(replace(body_of(209), duration=0.2748), tolerance=4.7e-13, max_steps=2000)
-    assert found.outcome.finished
+    actual = run(replace(body_of(209), duration=0.2748), tolerance=4.7e-13, max_steps=2000)
+    assert actual.outcome.finished
 
 
 def test_a_contact_ends_when_its_force_runs_out():
     """Body 305: the last of a force fades by .4 N in a second; all methods saw its end up to 1e-10 s late, at tolerances however small."""
-    found = run(body_of(305), tolerance=1e-12)
+    actual = run(body_of(305), tolerance=1e-12)
     (motion,) = motions([body_of(305)])
     begins, ends = (
         next(t for t, kind, _ in motion.events if kind == name and t > 0.4) for name in ("touches", "released")
     )
-    assert abs(found.impacts[2].duration - (ends - begins)) < 5e-12
+    assert abs(actual.impacts[2].duration - (ends - begins)) < 5e-12
 
 
 class Bent:
@@ -131,7 +131,7 @@ def test_a_wrong_judgement_is_found():
         ({"outcome": "accuracy_unreachable", "rounding": math.nan}, "accuracy_unreachable without a reason"),
         ({"remark": "ValueError"}, "ValueError"),
     ):
-        assert any(found.startswith(words) for found in replace(good, **wrong).faults), wrong
+        assert any(actual.startswith(words) for actual in replace(good, **wrong).faults), wrong
     assert not replace(good, outcome="accuracy_unreachable", rounding=2e-9).faults
     assert not replace(good, outcome="accuracy_unreachable", doubles=2e-7).faults
     assert replace(good, outcome="accuracy_unreachable", doubles=9e-8).faults

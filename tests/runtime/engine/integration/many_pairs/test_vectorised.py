@@ -147,8 +147,8 @@ def test_the_first_event_of_many_pairs_is_that_of_each_sought_alone(number):
 
 @pytest.mark.parametrize("contacts", [(), BY_MODE], ids=["flight", "contact"])
 def test_the_dependence_of_rates_is_found_from_kinds(contacts):
-    found, written = (made(balls(6), contacts).dependence for made in (flow, written_flow))
-    assert found == written
+    result, written = (made(balls(6), contacts).dependence for made in (flow, written_flow))
+    assert result == written
     assert flow(balls(6), contacts).quadratures == balls(6).nz
 
 
@@ -208,10 +208,10 @@ def test_leaves_in_another_place_are_the_same_kind():
 def test_shared_values_are_computed_once():
     x = ca.SX.sym("x", 5)
     common = ca.exp(x[4])
-    found = alike([x], [ca.SX(common * x[i]) for i in range(4)])
-    assert [kind.items for kind in found.kinds] == [[0, 1, 2, 3]]
-    assert found.shared.numel_out(0) == 1
-    assert ca.OP_EXP not in {found.kinds[0].one.instruction_id(i) for i in range(found.kinds[0].one.n_instructions())}
+    result = alike([x], [ca.SX(common * x[i]) for i in range(4)])
+    assert [kind.items for kind in result.kinds] == [[0, 1, 2, 3]]
+    assert result.shared.numel_out(0) == 1
+    assert ca.OP_EXP not in {result.kinds[0].one.instruction_id(i) for i in range(result.kinds[0].one.n_instructions())}
 
 
 def test_functions_that_are_embedded_are_not_taken_apart():

@@ -58,11 +58,11 @@ def at_rate(found, name: str, acceleration: float) -> None:
 @pytest.mark.parametrize("coordinates", BOTH)
 def test_a_geared_pair_has_the_inertia_of_both(coordinates):
     """J1 + i^2 J2 on the wheel's shaft; what holds the mesh turns the pinion alone."""
-    found, rate = run(gears(), coordinates), 2.0 / (0.2 + 9 * 0.05)
-    at_rate(found, "wheel.speed", rate)
-    at_rate(found, "pinion.speed", -3 * rate)
-    assert found["mesh.moment"] == pytest.approx(0.05 * -3 * rate, rel=EXACT)
-    assert 2.0 + 3.0 * found["mesh.moment"] == pytest.approx(0.2 * rate, rel=EXACT)  # what is left for the wheel
+    actual, rate = run(gears(), coordinates), 2.0 / (0.2 + 9 * 0.05)
+    at_rate(actual, "wheel.speed", rate)
+    at_rate(actual, "pinion.speed", -3 * rate)
+    assert actual["mesh.moment"] == pytest.approx(0.05 * -3 * rate, rel=EXACT)
+    assert 2.0 + 3.0 * actual["mesh.moment"] == pytest.approx(0.2 * rate, rel=EXACT)  # what is left for the wheel
 
 
 @pytest.mark.parametrize("coordinates", BOTH)
@@ -74,10 +74,10 @@ def test_an_offset_and_a_start_are_kept(coordinates):
         hd.Parameter("w0", "rad/s", 0.6),
     )
     mesh = replace(MESH, offset=offset)
-    found = run(gears(MOTOR, mesh, position={"wheel": given}, speed={"pinion": turned}), coordinates)
-    assert found["pinion.angle"][0] == pytest.approx(-0.9 + np.pi / 6, abs=1e-12)
-    assert found["wheel.speed"][0] == pytest.approx(-0.2, abs=1e-12)
-    assert found["pinion.angle"] == pytest.approx(-3 * found["wheel.angle"] + np.pi / 6, abs=EXACT)
+    actual = run(gears(MOTOR, mesh, position={"wheel": given}, speed={"pinion": turned}), coordinates)
+    assert actual["pinion.angle"][0] == pytest.approx(-0.9 + np.pi / 6, abs=1e-12)
+    assert actual["wheel.speed"][0] == pytest.approx(-0.2, abs=1e-12)
+    assert actual["pinion.angle"] == pytest.approx(-3 * actual["wheel.angle"] + np.pi / 6, abs=EXACT)
 
 
 def test_a_start_that_contradicts_names_both_coordinates():
@@ -99,14 +99,14 @@ def test_a_planetary_gear_obeys_willis(coordinates):
         hd.Revolute("planet", third.at(rs + rp, 0, 0), pinion, axis=hd.Z),
     )
     inner = hd.Coupling("inner", equation=(sun - carrier) * rs / rp + planet)
-    found = run(scene(joints, MOTOR, inner, hd.Coupling("outer", "planet", "carrier", -rr / rp)), coordinates)
+    actual = run(scene(joints, MOTOR, inner, hd.Coupling("outer", "planet", "carrier", -rr / rp)), coordinates)
     over = 1 / (1 + 0.2 / 0.1)  # Willis, carrier over sun
     spin = over * (1 - 0.2 / 0.05)  # planet's rotation against the ground over the sun's
     reduced = 0.2 + over**2 * (0.11 + 2.0 * 0.15**2) + spin**2 * 0.05
-    at_rate(found, "wheel.speed", 2.0 / reduced)
-    at_rate(found, "carrier.speed", over * 2.0 / reduced)
+    at_rate(actual, "wheel.speed", 2.0 / reduced)
+    at_rate(actual, "carrier.speed", over * 2.0 / reduced)
     # torque on the planet's angle from the sun's side: on the sun acts rs/rp times as much
-    assert 2.0 + found["inner.moment"][-1] * 0.1 / 0.05 == pytest.approx(0.2 * 2.0 / reduced, rel=EXACT)
+    assert 2.0 + actual["inner.moment"][-1] * 0.1 / 0.05 == pytest.approx(0.2 * 2.0 / reduced, rel=EXACT)
 
 
 @pytest.mark.parametrize("coordinates", BOTH)
@@ -114,11 +114,11 @@ def test_a_rack_falls_with_its_pinion(coordinates):
     """-m g = (m + J/r^2) a; the rack is held by J a/r^2."""
     joints = hd.Prismatic("rack", hd.GROUND, third, axis=hd.Y), WHEEL
     mesh = hd.Coupling("mesh", "rack", "wheel", r)
-    found = run(scene(joints, hd.Gravity("gravity", g, -hd.Y), mesh), coordinates, duration=1.0)
+    actual = run(scene(joints, hd.Gravity("gravity", g, -hd.Y), mesh), coordinates, duration=1.0)
     a = -2.0 * 9.81 / (2.0 + 0.2 / 0.4**2)
-    at_rate(found, "rack.speed", a)
-    assert found["mesh.force"] == pytest.approx(-0.2 * a / 0.4**2, rel=EXACT)
-    assert found.engine.history.units["mesh.force"] == "N"
+    at_rate(actual, "rack.speed", a)
+    assert actual["mesh.force"] == pytest.approx(-0.2 * a / 0.4**2, rel=EXACT)
+    assert actual.engine.history.units["mesh.force"] == "N"
 
 
 def test_a_screw_press_is_lifted_by_its_torque():
@@ -128,11 +128,11 @@ def test_a_screw_press_is_lifted_by_its_torque():
     screw = hd.Coupling("screw", "press.travel", "press.angle", lead / (2 * sp.pi))
     turned = hd.JointForce("spindle", "press.angle", M)
     weight = hd.Gravity("gravity", g, -hd.Z)
-    found = run(scene((hd.Cylindrical("press", hd.GROUND, nut, axis=hd.Z),), turned, weight, screw), duration=1.0)
+    actual = run(scene((hd.Cylindrical("press", hd.GROUND, nut, axis=hd.Z),), turned, weight, screw), duration=1.0)
     h = 0.8 / (2 * np.pi)
     alpha = (2.0 - 2.0 * 9.81 * h) / (0.2 + 2.0 * h**2)
-    at_rate(found, "press.angle_speed", alpha)
-    assert found["screw.force"] == pytest.approx(2.0 * (9.81 + h * alpha), rel=EXACT)
+    at_rate(actual, "press.angle_speed", alpha)
+    assert actual["screw.force"] == pytest.approx(2.0 * (9.81 + h * alpha), rel=EXACT)
 
 
 # -- equations that bend -----------------------------------------------------------------------------------------------
@@ -173,15 +173,15 @@ def pen(turns: float = -2.0) -> hd.Scene:
 @pytest.mark.parametrize("coordinates", ["tree", pytest.param("absolute", marks=pytest.mark.slow)])
 def test_cardan_circles_draw_a_line(coordinates):
     """The rim is at 2 r cos(c), with a pen on a spring; the pen's guide holds the ring's coupling too, a redundant constraint."""
-    found = run(pen(), coordinates, duration=3.0)
-    c, w = found["carrier.angle"], found["carrier.speed"]
+    actual = run(pen(), coordinates, duration=3.0)
+    c, w = actual["carrier.angle"], actual["carrier.speed"]
     assert np.ptp(c) > 2.0
-    assert found["along.travel"] == pytest.approx(0.8 * np.cos(c), abs=EXACT)
+    assert actual["along.travel"] == pytest.approx(0.8 * np.cos(c), abs=EXACT)
     inertia = 0.11 + 2.0 * 0.4**2 + 0.05 + 2.0 * (0.8 * np.sin(c)) ** 2
     assert inertia * w**2 / 2 + 25.0 * (0.8 * np.cos(c)) ** 2 == pytest.approx(
         25.0 * (0.8 * np.cos(0.5)) ** 2, rel=EXACT
     )
-    assert any("tip.force_y, ring.moment" in warning for warning in found.warnings)
+    assert any("tip.force_y, ring.moment" in warning for warning in actual.warnings)
 
 
 def test_circles_that_draw_no_line_lock():
@@ -208,15 +208,15 @@ def test_a_rack_hits_a_stop_with_the_inertia_of_its_pinion(coordinates):
         hd.Scales(r, pace, arm=r),
         hd.Start(position={"rack": drop + hd.Parameter("tip", "m", 0.02) - r}),
     )
-    found = run(declared, coordinates, duration=0.4)
+    actual = run(declared, coordinates, duration=0.4)
     weight, both = 2.0 * 9.81, 2.0 + 0.2 / 0.4**2
-    first = found.impacts[0]
+    first = actual.impacts[0]
     assert first.t == pytest.approx(np.sqrt(2 * 0.2 * both / weight), rel=EXACT)
     assert first.speed == pytest.approx(np.sqrt(2 * 0.2 * weight / both), rel=EXACT)
     depth = brentq(lambda d: 0.4 * 1e7 * d**2.5 - weight * (0.2 + d), 1e-6, 0.1, xtol=1e-15)
     assert first.peak_penetration == pytest.approx(depth, rel=1e-8)
-    rate = (found["stop.normal_force"] - weight) / both  # at every row, in contact and apart
-    assert found["mesh.force"] == pytest.approx(-0.2 / 0.4**2 * rate, rel=1e-8, abs=1e-8)
+    rate = (actual["stop.normal_force"] - weight) / both  # at every row, in contact and apart
+    assert actual["mesh.force"] == pytest.approx(-0.2 / 0.4**2 * rate, rel=1e-8, abs=1e-8)
 
 
 # -- what is driven ----------------------------------------------------------------------------------------------------
@@ -228,14 +228,14 @@ k = hd.Parameter("angular_rate", "rad/s^2", 0.7)
 @pytest.mark.parametrize("driven", ["wheel", "pinion"])
 def test_a_drive_moves_what_is_coupled_to_it(driven, coordinates):
     """The drive puts in the energy of both; what it turns itself is no part of what holds the mesh."""
-    found = run(gears(hd.Drive("drive", driven, position=k * hd.T**2 / 2), MESH), coordinates)
+    actual = run(gears(hd.Drive("drive", driven, position=k * hd.T**2 / 2), MESH), coordinates)
     at_wheel, at_pinion = (0.7, -2.1) if driven == "wheel" else (-0.7 / 3, 0.7)
     free, rate = ("pinion", at_pinion) if driven == "wheel" else ("wheel", at_wheel)
-    at_rate(found, f"{free}.speed", rate)
+    at_rate(actual, f"{free}.speed", rate)
     torque = 0.05 * at_pinion if driven == "wheel" else 0.2 * at_wheel / 3.0
-    assert found["mesh.moment"] == pytest.approx(torque, rel=EXACT)
+    assert actual["mesh.moment"] == pytest.approx(torque, rel=EXACT)
     energy = (0.2 * at_wheel**2 + 0.05 * at_pinion**2) * 2.0**2 / 2
-    assert found["energy_ledger.input"][-1] == pytest.approx(energy, rel=EXACT)
+    assert actual["energy_ledger.input"][-1] == pytest.approx(energy, rel=EXACT)
 
 
 @pytest.mark.parametrize("coordinates", BOTH)
@@ -244,11 +244,11 @@ def test_time_in_an_equation_puts_work_in(coordinates):
     apart = hd.Coupling(
         "apart", equation=hd.coordinate_of("pinion") - ratio * hd.coordinate_of("wheel") - k * hd.T**2 / 2
     )
-    found = run(gears(apart), coordinates)
+    actual = run(gears(apart), coordinates)
     torque = 0.7 / (1 / 0.05 + 9 / 0.2)
-    assert found["apart.moment"] == pytest.approx(torque, rel=EXACT)
-    at_rate(found, "wheel.speed", 3 * torque / 0.2)
-    assert found["energy_ledger.input"][-1] == pytest.approx(torque * 0.7 * 2.0**2 / 2, rel=EXACT)
+    assert actual["apart.moment"] == pytest.approx(torque, rel=EXACT)
+    at_rate(actual, "wheel.speed", 3 * torque / 0.2)
+    assert actual["energy_ledger.input"][-1] == pytest.approx(torque * 0.7 * 2.0**2 / 2, rel=EXACT)
 
 
 # -- couplings that say the same, or the contrary ----------------------------------------------------------------------
@@ -256,9 +256,9 @@ def test_time_in_an_equation_puts_work_in(coordinates):
 
 @pytest.mark.parametrize("coordinates", BOTH)
 def test_a_coupling_stated_twice_holds_once(coordinates):
-    found = run(gears(MOTOR, MESH, hd.Coupling("again", "wheel", "pinion", 1 / ratio)), coordinates)
-    at_rate(found, "wheel.speed", 2.0 / 0.65)
-    assert any("mesh.moment, again.moment" in warning for warning in found.warnings)
+    actual = run(gears(MOTOR, MESH, hd.Coupling("again", "wheel", "pinion", 1 / ratio)), coordinates)
+    at_rate(actual, "wheel.speed", 2.0 / 0.65)
+    assert any("mesh.moment, again.moment" in warning for warning in actual.warnings)
 
 
 def test_couplings_that_contradict_are_refused():
@@ -269,9 +269,9 @@ def test_couplings_that_contradict_are_refused():
 
 def test_couplings_of_two_ratios_lock():
     """Only zero and zero fulfil both, so that nothing turns: the motor is held, by the one more than by the other."""
-    found = run(gears(MOTOR, MESH, replace(MESH, name="other", ratio=2 * ratio)))
-    assert found["wheel.angle"] == pytest.approx(0, abs=1e-15)
-    one, other = found["mesh.moment"][-1], found["other.moment"][-1]
+    actual = run(gears(MOTOR, MESH, replace(MESH, name="other", ratio=2 * ratio)))
+    assert actual["wheel.angle"] == pytest.approx(0, abs=1e-15)
+    one, other = actual["mesh.moment"][-1], actual["other.moment"][-1]
     assert [one + other, 2.0 + 3 * one + 6 * other] == pytest.approx([0, 0], abs=EXACT)
 
 

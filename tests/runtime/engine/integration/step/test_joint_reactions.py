@@ -238,6 +238,6 @@ def test_a_guide_in_a_turning_body():
 
 def test_a_journal_damps_small_vibrations():
     """Small vibrations in a journal: the smoothed law damps with c = mu r^2 m g/v_s, as `modes` finds."""
-    found = modes(load(pendulum(lift=0)), parameters={"mu": 1e-3})
+    actual = modes(load(pendulum(lift=0)), parameters={"mu": 1e-3})
     stiffness, inertia, damping = M * G * L, J + M * L**2, 1e-3 * R**2 * M * G / V_S
-    assert found.damping_ratios[0] == pytest.approx(damping / (2 * np.sqrt(stiffness * inertia)), rel=1e-9)
+    assert actual.damping_ratios[0] == pytest.approx(damping / (2 * np.sqrt(stiffness * inertia)), rel=1e-9)

@@ -38,11 +38,11 @@ def fitted(seed, duration, **how):
 
 
 def test_the_truth_is_within_the_interval():
-    found = fitted(0, 80)
-    assert found["damping"].interval.low < DAMPING < found["damping"].interval.high
-    assert found.explained and found.unidentified == ()
-    assert found["damping"].interval.high - found["damping"].interval.low < 7
-    assert all(moment.deviation > 0.02 * moment.value for moment in found.moments)  # independent samples: 0.01
+    actual = fitted(0, 80)
+    assert actual["damping"].interval.low < DAMPING < actual["damping"].interval.high
+    assert actual.explained and actual.unidentified == ()
+    assert actual["damping"].interval.high - actual["damping"].interval.low < 7
+    assert all(moment.deviation > 0.02 * moment.value for moment in actual.moments)  # independent samples: 0.01
 
 
 @pytest.mark.exhaustive
@@ -75,27 +75,27 @@ def test_impacts_tell_by_their_rate_and_their_speeds():
         MeasuredSeries(impacts(9.0 * 0.5, seed=5), map={"t": "impacts.t"}, parameters={"gap": "0.8 m"}),
     ]
     how = {"parameters": WALLS, "workers": 1, "duration": "3 s", "tolerance": 1e-7}
-    found = fit_moments(walls, {"t.rate": None, "speed.mean": None}, free={"speed": "8..10 m/s"}, series=lists, **how)
-    names = [moment.name for moment in found.moments]
+    actual = fit_moments(walls, {"t.rate": None, "speed.mean": None}, free={"speed": "8..10 m/s"}, series=lists, **how)
+    names = [moment.name for moment in actual.moments]
     assert names == ["t.rate of series 1", "speed.mean", "t.rate of series 2"]
-    v = found["speed"].value
-    for moment, gap in ((found.moments[0], 0.4), (found.moments[2], 0.8)):
+    v = actual["speed"].value
+    for moment, gap in ((actual.moments[0], 0.4), (actual.moments[2], 0.8)):
         assert moment.unit == "1/s"
         true = 1 / (2 * gap / v + np.pi * np.sqrt(1.6 / 1e6))
         assert moment.fitted == pytest.approx(true, abs=1 / 2.7)  # runs of 2.7 s tell it to an impact more or less,
         assert moment.fitted_deviation > 0.1  # and that is said, though all their blocks count alike
-    assert found.moments[1].fitted == pytest.approx(v, rel=1e-3)
-    assert found.explained  # half the speed over half the gap: of the second only the rate is measured, as of 9 m/s
-    assert len(found.plot().axes) == 2
-    assert "explained" in found._repr_html_() and "speed" in found._repr_html_()
+    assert actual.moments[1].fitted == pytest.approx(v, rel=1e-3)
+    assert actual.explained  # half the speed over half the gap: of the second only the rate is measured, as of 9 m/s
+    assert len(actual.plot().axes) == 2
+    assert "explained" in actual._repr_html_() and "speed" in actual._repr_html_()
 
 
 def test_impacts_without_their_onsets_are_refused():
     walls, free = load("ball_between_walls"), {"speed": "8..10 m/s"}
     data = impacts(9.0)
-    asked = MeasuredSeries(data, map={"speed": "impacts.speed"}, bandwidth="5 kHz")
+    requested = MeasuredSeries(data, map={"speed": "impacts.speed"}, bandwidth="5 kHz")
     with pytest.raises(InputError) as raised:
-        fit_moments(walls, {"speed.mean": None}, free=free, series=asked)
+        fit_moments(walls, {"speed.mean": None}, free=free, series=requested)
     for part in ("0 columns of onsets", "are not filtered"):
         assert part in str(raised.value)
     both = MeasuredSeries(data, map={"t": "impacts.t", "speed": "impacts.speed"})
@@ -106,16 +106,16 @@ def test_impacts_without_their_onsets_are_refused():
 def test_bad_series_are_one_error(tmp_path):
     path = tmp_path / "long.csv"
     path.write_text("t [s],x [m/s]\n" + "".join(f"{0.1 * k},{k % 3}\n" for k in range(100)))
-    asked = MeasuredSeries(path, map={"x": "slide.travle"}, bandwidth="5 m", skip="2 m", noise={"y": 1})
+    requested = MeasuredSeries(path, map={"x": "slide.travle"}, bandwidth="5 m", skip="2 m", noise={"y": 1})
     with pytest.raises(InputError) as raised:
-        fit_moments(shaken(), {"x.rms": None}, free={"dampin": None}, series=asked)
+        fit_moments(shaken(), {"x.rms": None}, free={"dampin": None}, series=requested)
     text = str(raised.value)
     for part in ("slide.travel", "damping", "frequency", "12 ms", "noise" if "noise" in text else "y"):
         assert part in text
     plain = Measurement(np.arange(100) * 0.1, {"x": np.arange(100) % 3}, {"x": "m"})
-    asked = MeasuredSeries(plain, map={"x": "slide.travel"})
+    requested = MeasuredSeries(plain, map={"x": "slide.travel"})
     with pytest.raises(InputError) as raised:
-        fit_moments(shaken(), {"x.max": None, "z.rms": None, "x.largest": None}, free=FREE, series=asked)
+        fit_moments(shaken(), {"x.max": None, "z.rms": None, "x.largest": None}, free=FREE, series=requested)
     for part in ("grows with the length", "z.rms, column", "without a period"):
         assert part in str(raised.value)
     with pytest.raises(InputError, match="no measured series"):

@@ -24,11 +24,11 @@ def test_returns_of_the_drive_are_whole_turns_with_the_states_of_the_run_bitwise
     )
     for row, speed in zip(table, (3000, -5000), strict=True):
         first = 2.25 if speed > 0 else 2.75  # backwards 90 degrees come after three quarters of a turn
-        found = table.section.of(row)
-        assert found["t"] == pytest.approx((first + np.arange(4)) * 60 / abs(speed), rel=1e-15)
+        actual = table.section.of(row)
+        assert actual["t"] == pytest.approx((first + np.arange(4)) * 60 / abs(speed), rel=1e-15)
         run = simulate(crank, parameters=row.stated, duration="6 rev", tolerance=1e-7, compiled=False)
         for name in ("crank_pin.angle", "guide.speed"):
-            assert np.array_equal(found[name], run.at(found["t"])[name])
+            assert np.array_equal(actual[name], run.at(actual["t"])[name])
     assert table.section.units == {
         "t": "s",
         "crank_pin.angle": "rad",
@@ -58,10 +58,10 @@ def test_a_body_that_turns_freely_returns_after_whole_turns(direction, speed):
     turns = np.arange(-10, 10)
     times = np.sort((0.75 + 2 * math.pi * turns) / speed)
     known = times[(times > 1) & (times <= 5)] if direction in ("both", "rising" if speed > 0 else "falling") else []
-    found = table.section.of(row)
-    assert found["t"] == pytest.approx(np.array(known), abs=1e-12)
-    assert found["hinge.angle"] == pytest.approx(0.25 + speed * found["t"], rel=1e-12)
-    assert np.all(np.abs(np.sin((found["hinge.angle"] - 1) / 2)) < 1e-14)
+    actual = table.section.of(row)
+    assert actual["t"] == pytest.approx(np.array(known), abs=1e-12)
+    assert actual["hinge.angle"] == pytest.approx(0.25 + speed * actual["t"], rel=1e-12)
+    assert np.all(np.abs(np.sin((actual["hinge.angle"] - 1) / 2)) < 1e-14)
 
 
 def test_a_return_at_the_end_of_the_transient_belongs_to_it():
@@ -90,12 +90,12 @@ def test_events_are_those_of_rigid_bounces(ball):
     )  # fmt: skip
     for row, height in zip(table, (0.5, 1.0), strict=True):
         fall, speed = math.sqrt(2 * height / 9.81), math.sqrt(2 * 9.81 * height)
-        found = table.section.of(row)
+        actual = table.section.of(row)
         run = simulate(ball, parameters={"restitution": 1, **row.stated}, duration="2 s", tolerance=1e-10)
-        assert found["t"] == pytest.approx([impact.t for impact in run.impacts], rel=1e-13)
-        assert len(found["t"]) == math.floor((2 / fall + 1) / 2)
-        assert np.all(np.abs(found["floor.gap"]) < 1e-14)
-        assert found["vertical.speed"] == pytest.approx(-speed, rel=1e-6)
+        assert actual["t"] == pytest.approx([impact.t for impact in run.impacts], rel=1e-13)
+        assert len(actual["t"]) == math.floor((2 / fall + 1) / 2)
+        assert np.all(np.abs(actual["floor.gap"]) < 1e-14)
+        assert actual["vertical.speed"] == pytest.approx(-speed, rel=1e-6)
 
 
 def test_crossings_within_a_step_are_all_found(ball):
@@ -127,10 +127,10 @@ def test_histories_on_a_grid_are_those_of_the_run(crank):
     how = {"grid": "1 ms", "after": "4 ms", "histories": ["guide.acceleration", "slider_pin.normal_force"]}
     (row,) = table = sweep(crank, {"clearance": "0.2 mm"}, **how, **{**CRANK, "duration": "10 ms"})
     run = simulate(crank, parameters=row.stated, duration="10 ms", tolerance=1e-7, compiled=False)
-    found = table.histories.of(row)
-    assert found["t"] == pytest.approx(np.arange(4, 11) * 1e-3, rel=1e-15)
+    actual = table.histories.of(row)
+    assert actual["t"] == pytest.approx(np.arange(4, 11) * 1e-3, rel=1e-15)
     for name in how["histories"]:
-        assert np.array_equal(found[name], run.at(found["t"])[name])
+        assert np.array_equal(actual[name], run.at(actual["t"])[name])
     assert table.histories.units == {"t": "s", "guide.acceleration": "m/s^2", "slider_pin.normal_force": "N"}
     assert row.arrays["histories"].data != row.arrays["histories"].array.tobytes()
     with pytest.raises(LookupError, match="section="):
@@ -211,10 +211,10 @@ def test_files_open_without_hertzwerk(ball, tmp_path):
 def test_bad_input_is_reported_at_once(crank, given, faults):
     with pytest.raises(InputError) as caught:
         sweep(crank, {"clearance": "0.1, 0.2 mm"}, **given, **CRANK)
-    told = {fault.where: str(fault) for fault in caught.value.faults}
-    assert set(faults) <= set(told)
+    reported = {fault.where: str(fault) for fault in caught.value.faults}
+    assert set(faults) <= set(reported)
     for where, text in faults.items():
-        assert text in told[where]
+        assert text in reported[where]
 
 
 def test_a_section_of_a_drive_is_not_offered_without_one(ball):

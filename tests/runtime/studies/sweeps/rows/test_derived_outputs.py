@@ -85,9 +85,9 @@ def test_a_slope_of_scattered_rows_is_within_its_interval_19_times_of_20():
             for i, (a, b) in enumerate(zip(x.tolist(), y.tolist(), strict=True))
         )
         table = Sweep("made", rows, {"x": "m", "outcome": "", "y": "N"}, ("x",), Outcome("finished", "", ""))
-        found = table.slope("y", "x", at=0.25)
-        inside += abs(found.value - 1.5) <= found.half_width
-    assert (found.unit, found.name, found.rows) == ("N/m", "d(y)/d(x)", 30)
+        result = table.slope("y", "x", at=0.25)
+        inside += abs(result.value - 1.5) <= result.half_width
+    assert (result.unit, result.name, result.rows) == ("N/m", "d(y)/d(x)", 30)
     assert 180 <= inside <= 198
 
 

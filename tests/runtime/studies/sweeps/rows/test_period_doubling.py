@@ -57,12 +57,12 @@ def test_the_period_doubles_where_it_must():
         tolerance=1e-8,
     )
     for row, acceleration, phi in zip(table, accelerations, phases, strict=True):
-        found = table.section.of(row)
-        assert len(found["t"]) in (19, 20, 21)
-        first, second = found["vertical.speed"][:18:2], found["vertical.speed"][1:18:2]
+        actual = table.section.of(row)
+        assert len(actual["t"]) in (19, 20, 21)
+        first, second = actual["vertical.speed"][:18:2], actual["vertical.speed"][1:18:2]
         if acceleration < DOUBLES:
-            assert found["vertical.speed"] == pytest.approx(-SPEED, rel=2e-3)
-            assert (OMEGA * found["t"] + phi) % (2 * math.pi) == pytest.approx(phi, abs=3e-3)
+            assert actual["vertical.speed"] == pytest.approx(-SPEED, rel=2e-3)
+            assert (OMEGA * actual["t"] + phi) % (2 * math.pi) == pytest.approx(phi, abs=3e-3)
         else:
             assert abs(first.mean() - second.mean()) > 0.05 * SPEED
             assert max(np.ptp(first), np.ptp(second)) < 0.01 * SPEED

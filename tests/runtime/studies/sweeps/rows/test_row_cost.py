@@ -50,8 +50,8 @@ def test_a_row_of_final_states_calls_little_beside_its_loop_however_long_it_is(m
 
 def test_the_count_sees_what_is_found_where_outputs_ask_for_it(model, monkeypatch):
     """The fault that the test above has to notice: a row that follows its contacts."""
-    found = calls(model, monkeypatch, "24 ms", ("impacts", "peak_force"))
-    assert found["crest"] > 0
+    actual = calls(model, monkeypatch, "24 ms", ("impacts", "peak_force"))
+    assert actual["crest"] > 0
 
 
 def test_no_attempt_is_passed_on_for_final_states(model, monkeypatch):

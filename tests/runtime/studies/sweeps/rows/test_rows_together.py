@@ -52,8 +52,8 @@ def test_rows_done_together_are_those_done_alone_and_the_runs_themselves(job):
     assert outcomes[3:5] == ["too_many_steps", "bad_output"]
     for row in (together[0], together[2], together[5]):
         run = simulate(job.model, duration="6 ms", tolerance=1e-6, parameters=dict(row.stated), compiled=False)
-        found = (len(run.impacts), max(impact.peak_force for impact in run.impacts), run.energy_residual)
-        assert tuple(row.outputs[name] for name in ("impacts", "peak_force", "energy_residual")) == found
+        result = (len(run.impacts), max(impact.peak_force for impact in run.impacts), run.energy_residual)
+        assert tuple(row.outputs[name] for name in ("impacts", "peak_force", "energy_residual")) == result
 
 
 def test_peaks_are_the_same_in_pieces_of_any_size_for_all_rows_at_once(job, monkeypatch):
