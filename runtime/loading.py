@@ -197,10 +197,13 @@ def engine_model(
     coordinates: str | None = None,
 ) -> EngineModel:
     """Return the engine's model of any target, varied as `load` varies it; raises InputError."""
-    refuse("load", _type_faults(target, without, laws, coordinates))
-    varied = bool(without or laws or coordinates is not None)
     if isinstance(target, Model):
         target = target.engine
+    plain = isinstance(without, tuple) and not without and laws is None and coordinates is None
+    if plain and isinstance(target, EngineModel):
+        return target
+    refuse("load", _type_faults(target, without, laws, coordinates))
+    varied = bool(without or laws or coordinates is not None)
     if isinstance(target, EngineModel):
         return _varied(target, without, laws or {}, coordinates) if varied else target
     if isinstance(target, str) and not varied and target.isidentifier():

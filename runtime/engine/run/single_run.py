@@ -215,8 +215,7 @@ class SingleRun:
         if isinstance(near, NearModel):
             numbers["c"] = constants_of(near, self.request.bound.c, self.request.begin, self.request.q)
             numbers["scale"] = scale_of(near, scales.state)
-        for name, value in numbers.items():
-            controls[layout[name]] = value
+        layout.fill(controls, numbers)
         state = self._initial_state(controls) if self.start is None else self.start.state.copy()
         for name in ("h", "h_flight", "h_contact") if shorter != 1 else ():
             state[integrator.layouts.state[name]] *= shorter

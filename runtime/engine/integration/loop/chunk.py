@@ -309,7 +309,7 @@ class _March:
         if not self._free:
             return
         h = states[:, self._at["h"]]
-        if self.status == RUNNING and ROOM * h.max() < self._t_end - self._state[self._at["t"]]:
+        if self.status == RUNNING and ROOM * np.maximum.reduce(h) < self._t_end - self._state[self._at["t"]]:
             self._resume = Resume(self._state, chooses)
             return
         bound = ROOM * h >= self._t_end - states[:, self._at["t"]]
@@ -323,11 +323,13 @@ class _March:
 
     def stop_at_limits(self) -> None:
         """End the run where its rejected attempts reach their limit or, without one, where it stalls."""
-        if self.status == RUNNING and self._rejected(self._state) > self._most_rejected:
+        if self.status != RUNNING:
+            return
+        if self._rejected(self._state) > self._most_rejected:
             self.status = TOO_MANY_STEPS
-        (tried, before), t = self._stall, self._state[self._at["t"]]
-        if self.status == RUNNING and self._tried >= tried + STALL:
-            self._stall = self._tried, t
+        (tried, before), t, now = self._stall, self._state[self._at["t"]], self._tried
+        if self.status == RUNNING and now >= tried + STALL:
+            self._stall = now, t
             if t - before < self._least and self._max_steps == np.inf:
                 self.status = STALLED
 

@@ -12,6 +12,7 @@ from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
+import numpy as np
 
 from hertzwerk.runtime.engine.integration.many_pairs.watched_model import WatchedModel
 from hertzwerk.runtime.engine.model.per_model import per_model
@@ -52,6 +53,11 @@ class Layout:
     def split(self, vector: Any) -> dict[str, Any]:
         """Return the parts of a vector by name, each a column."""
         return {name: vector[part] for name, part in self._slices.items()}
+
+    def fill(self, vector: np.ndarray, parts: Mapping[str, Any]) -> None:
+        """Set parts of a vector, by numbers or arrays."""
+        for name, value in parts.items():
+            vector[self._slices[name]] = value
 
     def join(self, parts: Mapping[str, Any]) -> Any:
         """Join exactly these parts to the vector.

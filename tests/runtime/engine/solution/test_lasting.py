@@ -111,6 +111,13 @@ def test_nothing_is_computed_beside_the_steps(monkeypatch):
     assert observer.contacts == run.engine.findings.lasting != ()
 
 
+def test_steps_are_followed_when_warnings_are_read():
+    run = simulate(ball(), duration="1 ms", tolerance=1e-6, compiled=False)
+    assert "lasting" not in vars(run.engine.findings)  # a third of a short run's time
+    assert isinstance(run.warnings, tuple)
+    assert "lasting" in vars(run.engine.findings)
+
+
 def test_it_is_the_same_of_steps_that_are_kept_and_of_those_that_are_not():
     kept, alone = pressed(), pressed(grid=2)
     assert kept.engine.findings.lasting == alone.engine.findings.lasting != ()

@@ -21,8 +21,8 @@ from hertzwerk.runtime.loading import engine_model
 
 FLIGHT, CONTACT = (), (0,)
 BEYOND = {FLIGHT: 590, CONTACT: 757}  # operations of a dop853 step, most for sums of slopes and two error norms
-PER_CHUNK = 30  # calls in Python, of which 4 are of the two contacts in it, about, that leave their law
-PER_RUN = 900
+PER_CHUNK = 28  # calls in Python
+PER_RUN = 620
 PER_RUN_CASADI = 12  # what reads the input, the start, the limits of approach speeds
 ATTEMPTS = 256  # per chunk
 
