@@ -30,15 +30,13 @@ def differences(model: EngineModel, scales: Scales, one: Trace, other: Trace, n:
     m = model.nq + model.nu
     size = scales.state[:m]
     apart, forces = (rows.part(name) - reference.part(name) for name in ("y", "force"))
-    tables = []
-    for motion in (reference, rows):  # where one of them has had an event before the other, their rates differ
-        rates, force_rates = motion.part("dy")[:, :m], motion.part("force_rate")
-        error, shift = scaling.distance(apart[:, :m] / size, rates / size, scales.pace)
-        shift = shift[:, None]
-        tables.append(
-            np.column_stack([error, np.abs(apart[:, :m] - rates * shift), np.abs(forces - force_rates * shift)])
-        )
-    table = np.where(tables[0][:, :1] <= tables[1][:, :1], *tables)
+    motions = reference, rows  # where one of them has had an event before the other, their rates differ
+    rates = np.stack([motion.part("dy")[:, :m] for motion in motions])
+    force_rates = np.stack([motion.part("force_rate") for motion in motions])
+    error, shift = scaling.distance(apart[:, :m] / size, rates / size, scales.pace)
+    error, shift = error[..., None], shift[..., None]
+    left = np.abs(apart[:, :m] - rates * shift), np.abs(forces - force_rates * shift)
+    table: np.ndarray = np.where(error[0] <= error[1], *np.concatenate([error, *left], axis=2))
     until = float(rows.t[-1])
     lists: list[tuple[Impact, ...]] = []
     with suppress(Exception):  # whatever it is, the run reports that its impacts could not be found
