@@ -106,7 +106,8 @@ def measure(problem: Problem, chosen: list[Any], budget: float, rounds: int = RO
             if used() - first > budget * PART:
                 rows.append(row(problem, peer, integrator, outcome="not measured: the budget was used up"))
                 continue
-            for one in attempts(problem, peer, integrator, values, LONGEST):
+            longest, values = (4 * LONGEST, values[::3]) if problem.rows else (LONGEST, values)
+            for one in attempts(problem, peer, integrator, values, longest):
                 if isinstance(one, Measured):
                     found.append(one)
                 else:
@@ -127,13 +128,14 @@ def attempts(
     problem: Problem, peer: Any, integrator: str, values: Any, longest: float
 ) -> Iterator[Measured | dict[str, Any]]:
     """Yield the settings of an integrator from loose to tight, failures as rows."""
-    exact = peer.limit(problem) if hasattr(peer, "limit") else None
+    exact = peer.limit(problem) if hasattr(peer, "limit") and not problem.rows else None
     failures = 0
     for value in values:
         try:
-            run = peer.prepare(problem, integrator, value)
+            run = prepared(problem, peer, integrator, value)
             # the first call warms: what is compiled or cached by it is not measured
             one = Measured(peer, integrator, value, run, *problem.errors(run(), exact), [])
+            begin = used()
             one.again()
         except (ArithmeticError, RuntimeError, ValueError) as fault:
             lines = str(fault).splitlines() or [type(fault).__name__]
@@ -146,8 +148,24 @@ def attempts(
             yield row(problem, peer, integrator, value, "failed: not finite")
             continue
         yield one
-        if one.times[0] > longest:
+        if used() - begin > max(longest, 2 * SHORT):
             return
+
+
+def prepared(problem: Problem, peer: Any, integrator: str, value: float) -> Callable[[], Result]:
+    """Return the call of a peer; that of a sweep is its own sweep, or takes the rows that are compared in a loop."""
+    if not problem.rows:
+        return peer.prepare(problem, integrator, value)
+    if hasattr(peer, "sweep"):
+        return peer.sweep(problem, integrator, value)
+    calls = [peer.prepare(row, integrator, value) for row in problem.rows]
+
+    def run() -> Result:
+        begin = time.process_time()
+        states = [call().states[-1] for call in calls]
+        return Result(np.array(states), None, (time.process_time() - begin) * problem.all_rows / len(calls))
+
+    return run
 
 
 def row(

@@ -41,7 +41,9 @@ class Problem:
     longest     step of the reference [s], within which no contact begins and ends
     weights     factors of the compared coordinates in an error
     latched     (t, y) -> numbers that are kept from the onset of a contact
+    opens       (t, y, m) -> functions at whose rise through 0 a contact ends, where these are not the gaps
     digits      () -> states of all coordinates on the grid and onsets, where they are known without integration
+    rows        of a sweep, those that are compared, each a problem of its own; all_rows: how many it has
     remark      sentence for the page
     margin      samples of which a gap is smaller are omitted, as an impact is near
     """
@@ -63,6 +65,9 @@ class Problem:
     remark: str = ""
     weights: Any = 1.0
     latched: Callable[[Any, Any], np.ndarray] | None = None
+    opens: Callable[[Any, Any, Any], Any] | None = None
+    rows: tuple[Problem, ...] = ()
+    all_rows: int = 0
     digits: Callable[[], Result] | None = None
 
     @cached_property

@@ -12,6 +12,8 @@ from benchmarks.contact.problems import PROBLEMS
 from benchmarks.contact.problems.balls import Balls
 from benchmarks.contact.problems.balls import problem as balls
 from benchmarks.contact.problems.chains import chain
+from benchmarks.contact.problems.loops import four_bars
+from benchmarks.contact.problems.sweeps import sweep
 
 ROW = {"peer": "A", "outcome": "finished", "integrator": "one"}
 
@@ -73,7 +75,9 @@ SMALL = {
     "balls": bouncing,
     "cradle": lambda: short_cradle(),
     "crank": PROBLEMS["crank"],
+    "belt": PROBLEMS["belt_set"],
     "chain": lambda: chain(2),
+    "loops": lambda: four_bars(1),
 }
 
 
@@ -128,6 +132,18 @@ def test_programs_by_hand_meet_the_digits(name, integrator, limit):
     crank = PROBLEMS["crank_friction"]()
     (one,) = measuring.attempts(crank, peer, integrator, (1e-12,), 10)
     assert one.error < limit and one.impact_error < limit and one.times[0] > 0
+
+
+def test_rows_of_a_sweep_are_runs_of_their_own():
+    """hertzwerk's sweep yields what each row does alone, and a loop yields rows in order."""
+    (peer,) = measuring.peers(("hertzwerk_run",))
+    small = sweep(bouncing())
+    alone = [peer.prepare(row, "dop853", 1e-9)().states[-1] for row in small.rows[:2]]
+    own = measuring.prepared(small, peer, "dop853", 1e-9)().states
+    assert len(own) == len(small.rows) and np.array_equal(own[:2], alone) and own[0] != own[1]
+    (other,) = measuring.peers(("scipy_ivp",))
+    looped = measuring.prepared(small, other, "DOP853", 1e-9)()
+    assert looped.states == pytest.approx(own, abs=1e-6) and looped.seconds > 0
 
 
 def test_peers_keep_the_protocol():

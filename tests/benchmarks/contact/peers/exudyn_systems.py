@@ -26,9 +26,11 @@ HEAVY = 1e8  # kg m^2: the rod's torques change the crank's speed by less than 1
 
 def settings(problem: Problem) -> dict[str, Sequence[float]]:
     """Return steps [s], and tolerances where the step is controlled."""
+    if problem.kind == "loops":
+        return dict.fromkeys(IMPLICIT, decades(2, 5, 2))
     if problem.kind == "crank" and not problem.physics.friction:  # its contact element has none
         return dict.fromkeys(IMPLICIT, decades(5, 8, 2))
-    if problem.kind in ("balls", "chain"):
+    if problem.kind in ("balls", "chain") or (problem.kind == "belt" and problem.physics.smooth):
         return {**dict.fromkeys((*IMPLICIT, *FIXED), decades(3, 5, 2)), **dict.fromkeys(CONTROLLED, decades(3, 12, 1))}
     return {}
 
@@ -66,6 +68,36 @@ def balls(system: Any, numbers: Any) -> Filled:
         kept.append(CreateSymbolicUserFunction(system, force, "springForceUserFunction", spring))
         system.SetObjectParameter(spring, "springForceUserFunction", kept[-1])
     return Filled(lambda: numbers.radius + np.array(system.systemData.GetODE2Coordinates()[2::3]), kept)
+
+
+def belt(system: Any, numbers: Any) -> Filled:
+    """Fill with a mass whose spring and friction are one symbolic user function."""
+    import exudyn as exu
+    from exudyn import itemInterface as items  # noqa: N813
+    from exudyn.advancedUtilities import CreateSymbolicUserFunction
+
+    m, speed, wide = exu.symbolic, numbers.speed, numbers.stribeck
+    kinetic, more, narrow = (
+        numbers.load * numbers.kinetic,
+        numbers.load * (numbers.static - numbers.kinetic),
+        numbers.smooth,
+    )
+
+    def force(mbs: Any, t: Any, item: Any, u: Any, v: Any, k: Any, d: Any, offset: Any) -> Any:
+        s = v - speed
+        return k * u + (kinetic + more * m.exp(-(s / wide) * (s / wide))) * m.tanh(s / narrow)
+
+    node = system.AddNode(items.Node1D(referenceCoordinates=[0], initialCoordinates=[0], initialVelocities=[0]))
+    system.AddObject(items.ObjectMass1D(physicsMass=numbers.mass, nodeNumber=node))
+    moving = system.AddMarker(items.MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
+    spring = system.AddObject(
+        items.ObjectConnectorCoordinateSpringDamper(
+            markerNumbers=[ground(system), moving], stiffness=numbers.stiffness, damping=0
+        )
+    )
+    kept = CreateSymbolicUserFunction(system, force, "springForceUserFunction", spring)
+    system.SetObjectParameter(spring, "springForceUserFunction", kept)
+    return Filled(system.systemData.GetODE2Coordinates, [kept])
 
 
 def chain(system: Any, numbers: Any) -> Filled:
@@ -175,7 +207,46 @@ def crank(system: Any, m: Any) -> Filled:
     return Filled(coordinates)
 
 
-MODELS: dict[str, Callable[[Any, Any], Filled]] = {"balls": balls, "chain": chain, "crank": crank}
+def loops(system: Any, numbers: Any) -> Filled:
+    """Fill with bodies and revolute joints in the plane."""
+    plane = Plane(system)
+    n, start = len(numbers.rods), numbers.start
+    bodies = []
+    for i, rod in enumerate(numbers.rods):
+        moving = [*start[3 * n + n + 2 * i : 3 * n + n + 2 * i + 2], rod.speed]
+        bodies.append(plane.body([*numbers.places[i], rod.angle], moving, rod.mass, rod.inertia))
+        weigh(system, bodies[-1][1], [0, -numbers.gravity, 0])
+    whole = [body for _, body in bodies] + [plane.ground]
+    for first, on_first, second, on_second in numbers.joints:
+        plane.joint(plane.at(whole[first], *on_first), plane.at(whole[second], *on_second))
+    items = plane.items
+    if numbers.torque:
+        system.AddLoad(items.LoadTorqueVector(markerNumber=plane.at(whole[0], 0), loadVector=[0, 0, numbers.torque]))
+    if numbers.spring:
+        body, point, place, stiffness, length = numbers.spring
+        ends = [plane.at(plane.ground, *place), plane.at(whole[body], *point)]
+        system.AddObject(
+            items.ObjectConnectorSpringDamper(markerNumbers=ends, stiffness=stiffness, referenceLength=length)
+        )
+
+    def coordinates() -> Sequence[float]:
+        import exudyn as exu
+
+        read = exu.OutputVariableType.Coordinates
+        return [
+            rod.angle + system.GetNodeOutput(node, read)[2] for rod, (node, _) in zip(numbers.rods, bodies, strict=True)
+        ]
+
+    return Filled(coordinates)
+
+
+MODELS: dict[str, Callable[[Any, Any], Filled]] = {
+    "balls": balls,
+    "belt": belt,
+    "chain": chain,
+    "crank": crank,
+    "loops": loops,
+}
 
 
 def prepare(problem: Problem, integrator: str, setting: float) -> Callable[[], Result]:

@@ -24,7 +24,7 @@ def settings(problem: Problem) -> dict[str, Sequence[float]]:
     """Return steps [s]."""
     if problem.kind == "chain":
         return dict.fromkeys(INTEGRATORS, decades(2, 5, 2))
-    if problem.kind not in WORLDS or len(problem.start) > 2 * LARGEST:
+    if problem.rows or problem.kind not in WORLDS or len(problem.start) > 2 * LARGEST:
         return {}
     return dict.fromkeys(INTEGRATORS, decades(2, 4, 3))
 

@@ -23,8 +23,10 @@ def prepare(problem: Problem, integrator: str, setting: float) -> Callable[[], R
     """Return the call that is measured."""
 
     def gap(i: int, direction: int) -> Callable[[float, np.ndarray], float]:
+        gaps = problem.opens if direction > 0 and problem.opens else problem.gaps
+
         def event(t: float, y: np.ndarray) -> float:
-            return float(problem.gaps(t, y, np)[i])
+            return float(gaps(t, y, np)[i])
 
         event.terminal = True  # type: ignore[attr-defined]
         event.direction = direction  # type: ignore[attr-defined]
