@@ -24,7 +24,7 @@ from typing import Any
 
 import casadi as ca
 
-from hertzwerk.runtime.engine.integration.loop.c_files import OFTEN, SELDOM, CFile, c_files
+from hertzwerk.runtime.engine.integration.loop.c_files import LOOP, OFTEN, SELDOM, CFile, c_files
 from hertzwerk.runtime.system import cache as disk
 from hertzwerk.runtime.system.atomic_files import scratch_folder
 from hertzwerk.runtime.system.forked_tasks import cores
@@ -33,12 +33,14 @@ from hertzwerk.runtime.system.interrupt import raise_interrupts
 FLAGS = (
     *("-march=native", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"),
     *("-fno-tree-pre", "-fno-gcse"),  # find nothing in such text, in a sixth of the time
+    *("-ftree-vectorize", "-fvect-cost-model"),  # loops over pairs, at any level: 12 balls run 1.5 times as fast
     "-fno-tree-slp-vectorize",  # GCC 12 makes of a sum beside a difference one fused instruction all the same
     *("-fno-semantic-interposition", "-fPIC", "-w"),  # the first lets CasADi's small functions be inlined
 )
 FUSED = "-ffp-contract=fast"
 # a symbol that is nowhere is an error of the linker, not the end of the process that calls it
 DEFINED = () if sys.platform in ("darwin", "win32") else ("-Wl,-z,defs",)
+INDEPENDENT = "#pragma GCC ivdep\n"  # entries are: vectors of CasADi are one or apart
 PATIENCE = 0.1  # s between two polls
 # s of the processor: within 1.5 of what 8 programs of built-in scenes took
 BEGIN_S, PER_CHARACTER_S = 0.1, {OFTEN: 10e-6, SELDOM: 7e-6}
@@ -129,7 +131,7 @@ def c_text(functions: Iterable[Any], name: str = "hertzwerk_chunk") -> str:
     # what the library's functions give, in line: a call costs as much as ten operations
     for name, order in (("fmin", "<"), ("fmax", ">")):
         text = text.replace(f"return {name}(x, y);", f"return x {order} y || y != y ? x : y;")
-    return text
+    return text.replace(f"\n  {LOOP}", f"\n{INDEPENDENT}  {LOOP}")
 
 
 def compile_files(

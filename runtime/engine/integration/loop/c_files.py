@@ -21,6 +21,7 @@ BESIDE = (
     10_000  # characters of a function up to which it stays in the file of those that call it, where it may be inlined
 )
 OFTEN, SELDOM = "-O3", "-O1"  # level by how often a function runs; of steps with events alone -O3 makes no run faster
+LOOP = "for (i=0, rr="  # over the entries of CasADi's vectors
 # characters of what an exported function needs, up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1
 LARGE = 1_500_000
 # conditions of a function beyond which each is a mask of bits, not a branch: ball_bearing's `decide`, of 819, compiles in half the time
@@ -118,7 +119,7 @@ def _apart(
     shared = {other for name in calls for other in calls[name] if home.get(other, 0) != home.get(name, 0)}
     heads = "".join(f"{functions[name]['head']};\n" for name in functions if name in shared)
     first = next(iter(functions.values())).start()
-    common = _HELPER.sub(r"static \1", text[:first])
+    common = _HELPER.sub(r"static inline \1", text[:first])
 
     def own(match: re.Match[str]) -> str:
         return match[0].replace("static ", "", 1) if match["name"] in shared else match[0]
