@@ -78,6 +78,21 @@ def test_without_a_compiler_it_goes_on(crank, eager, monkeypatch):
     assert not run.settings.compiled
 
 
+def test_clang_gets_no_option_that_it_refuses(crank, tmp_path, monkeypatch):
+    """A compiler that says it is clang and, as clang 22 does, refuses -fno-tree-pre."""
+    script = tmp_path / "clang"
+    refuses = 'case "$*" in *-fno-tree-pre*) exit 1;; esac'
+    script.write_text(f'#!/bin/sh\n[ "$1" = --version ] && echo clang version 22 && exit\n{refuses}\nexec cc "$@"\n')
+    script.chmod(0o755)
+    monkeypatch.setenv("CC", str(script))
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path))
+    c_compilation._compiler.cache_clear()
+    try:
+        assert simulate(load(crank.name), duration="1 ms", tolerance=1e-6, compiled=True).settings.compiled
+    finally:
+        c_compilation._compiler.cache_clear()
+
+
 @pytest.fixture
 def wanted(clock, monkeypatch):
     """How long a run had to go whenever it asked whether to compile."""
