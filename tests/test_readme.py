@@ -208,7 +208,7 @@ def pages(*folders):
     )
 
 
-DECLARATION = pages("howto/model", "howto/contact")
+DECLARATION = pages("howto/model", "howto/contact", "reference")
 
 
 @each("kind", [kind for kind in DECLARED if kind.__name__ not in INNER])
@@ -217,8 +217,13 @@ def test_every_record_stands_there_with_its_signature(kind):
 
 
 def test_every_public_name_is_explained():
-    text = pages("howto/model", "howto/contact", "howto/exchange")
+    text = pages("howto/model", "howto/contact", "howto/exchange", "reference", "explanation")
     assert [name for name in dir(hertzwerk.derive) if not re.search(rf"\b{name}\b", text)] == []
+
+
+def test_how_to_pages_are_short():
+    lengths = {name: len(TEXTS[name].splitlines()) for name in PAGES if "/howto/" in name}
+    assert {name: length for name, length in lengths.items() if length > 40 and not name.endswith("index.md")} == {}
 
 
 def test_every_scene_is_in_the_gallery():
@@ -227,7 +232,7 @@ def test_every_scene_is_in_the_gallery():
 
 
 def test_every_key_of_a_scenario_is_explained():
-    page = TEXTS[f"{HANDBOOK}/howto/exchange/scenario-files.md"].split("| quantity |")[0]
+    page = TEXTS[f"{HANDBOOK}/reference/file-formats.md"].split("## Scenario files")[1].split("| quantity |")[0]
     keys = {key for row in re.findall(r"^\| (`.*?) \|", page, re.MULTILINE) for key in re.findall(r"`(\w+)`", row)}
     assert keys == set(Scenario.model_fields)
 
@@ -242,7 +247,7 @@ def test_every_outcome_is_explained():
 
 def patterns():
     """The names of histories that the handbook lists, as regular expressions."""
-    page = "\n".join(TEXTS[f"{HANDBOOK}/howto/run/{name}.md"] for name in ("histories", "joint-reactions"))
+    page = "\n".join(TEXTS[f"{HANDBOOK}/{name}.md"] for name in ("reference/histories", "howto/run/joint-reactions"))
     for row in re.findall(r"^\| (`.*?) \|", page, re.MULTILINE):
         for name, more in re.findall(r"`([^`]+)`(\.\.)?", row):
             pattern = re.sub(r"<\w+>", r"\\w+", name.replace(".", r"\."))

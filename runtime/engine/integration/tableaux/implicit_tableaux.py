@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, reduce
 from math import prod
+from operator import add
 
 import numpy as np
 
@@ -241,6 +242,11 @@ def esdirk54() -> DiagonallyImplicit:
         *(-582099335757 / 7214068459310, 615023338567 / 3362626566945, 3192122436311 / 6174152374399),
         *(6156034052041 / 14430468657929, -1011318518279 / 9693750372484, 1914490192573 / 13754262428401),
     )
-    A = tuple((node - sum(row), *row) for node, row in zip(c, inner, strict=True))
-    difference = tuple(x - y for x, y in zip(A[-1], (1 - sum(embedded), *embedded), strict=True))
+    A = tuple((node - _sum(row), *row) for node, row in zip(c, inner, strict=True))
+    difference = tuple(x - y for x, y in zip(A[-1], (1 - _sum(embedded), *embedded), strict=True))
     return DiagonallyImplicit(name="esdirk", order=5, A=A, c=c, error=ErrorEstimate(difference, 4))
+
+
+def _sum(row: tuple[float, ...]) -> float:
+    """Return a sum from left to right on every version: `sum` compensates from Python 3.12 on."""
+    return reduce(add, row, 0.0)

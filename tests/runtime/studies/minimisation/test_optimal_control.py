@@ -12,7 +12,7 @@ ROOT = Path(__file__).parents[4]
 @pytest.fixture(scope="module")
 def thrown():
     """Names of the example of the handbook, which is run."""
-    text = (ROOT / "runtime" / "handbook" / "howto" / "study" / "optimal-control.md").read_text(encoding="utf-8")
+    text = (ROOT / "runtime" / "handbook" / "explanation" / "optimal-control.md").read_text(encoding="utf-8")
     (block,) = [
         block for block in re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL) if "ca.Opti" in block
     ]
