@@ -149,6 +149,8 @@ def test_the_time_to_compile_is_known_beforehand(name, monkeypatch):
     monkeypatch.setattr(c_compilation, "cores", lambda: 1)
     alone = c_compilation.compile_seconds(files)
     assert 1 / 1.5 < alone / took < 1.5
+    loops = [CFile(file.text + "for (" * 1000, file.level) for file in files]
+    assert c_compilation.compile_seconds(loops) > alone + 0.5  # of 300 pairs they take most of the time
     monkeypatch.setattr(c_compilation, "cores", lambda: 2)
     longest = max(c_compilation.compile_seconds([file]) for file in files)
     assert c_compilation.compile_seconds(files) == pytest.approx(max(longest, alone / 2))

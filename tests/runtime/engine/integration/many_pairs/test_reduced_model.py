@@ -115,6 +115,9 @@ def test_far_guards_are_in_no_model(monkeypatch):
     run, used = run_reduced(load(scenes.guarded_crank(19)), monkeypatch, options)
     alone = simulate(load(scenes.guarded_crank(0)), **options)
     assert used == [(0,)]
+    native = simulate(run.engine.model, **options | {"compiled": True})
+    assert used == [(0,), (0,)]
+    assert np.array_equal(np.asarray(native.engine.history.rows), np.asarray(run.engine.history.rows))
     assert [impact.contact for impact in run.impacts] == [impact.contact for impact in alone.impacts]
     assert run["guide.travel"][-1] == pytest.approx(alone["guide.travel"][-1], abs=1e-6)
     rows = run.engine.history.rows  # only the columns of the reduced model are stored
