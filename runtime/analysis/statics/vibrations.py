@@ -357,7 +357,8 @@ def of_equilibrium(rest: Equilibrium) -> Modes:
     m = np.concatenate([np.full(model.nm - model.ns, UNDAMPED), np.zeros(model.ns)])
     mode = np.where(rest.closed > 0, CONTACT, 0.0)
     latched = [name for name in model.latches if rest.contacts[name.rpartition(".")[0]]]
-    notes = [f"undamped: {', '.join(latched)} is not defined at rest"] if latched else []
+    verb = "is" if len(latched) == 1 else "are"
+    notes = [f"undamped: {', '.join(latched)} {verb} not defined at rest"] if latched else []
     still = np.zeros(model.nu)
     return _modes(model, rest.bound, rest.t, rest.q, still, rest.memory, mode, m, (*rest.notes, *notes))
 
