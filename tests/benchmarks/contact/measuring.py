@@ -42,7 +42,7 @@ COLUMNS = [
     "python",
 ]
 LONGEST = 0.25  # s; a call that takes longer ends the series of its integrator
-PART = 0.2  # of the budget that the first calls of one peer may take
+PART = 0.2  # of the budget that the first calls of one of many peers may take
 SHORT = 5e-3  # s; shorter calls are repeated within a round up to this time
 ROUNDS = 7
 
@@ -103,7 +103,7 @@ def measure(problem: Problem, chosen: list[Any], budget: float, rounds: int = RO
         if not stated:
             rows.append(row(problem, peer, outcome="not stated"))
         for integrator, values in stated.items():
-            if used() - first > budget * PART:
+            if used() - first > budget * max(PART, 1 / len(chosen)):
                 rows.append(row(problem, peer, integrator, outcome="not measured: the budget was used up"))
                 continue
             longest, values = (4 * LONGEST, values[::3]) if problem.rows else (LONGEST, values)

@@ -24,6 +24,7 @@ COLOURS = {
     "MuJoCo": "#6c3483",
     "Pinocchio": "#117a65",
     "C++": "#000000",
+    "CVODE": "#d35db0",
 }
 
 
@@ -142,7 +143,7 @@ Times are medians, and the peers alternate. References are in extended precision
 
 Peers differ in what they take. SciPy and heyoka take equations that a person wrote, and have no search for contacts.
 C++ and CVODE are programs for one mechanism, and their time is that of the run within the program.
-The others take bodies.
+Pinocchio has no integrator, so SciPy's integrate the accelerations that it computes. The others take bodies.
 heyoka gains most where a force is a polynomial of the state, as the laws of the balls and the cradle are.
 MuJoCo has its own law of contact, so it is compared with its own limit of small steps.
 A dash means that no call within the time limit of the benchmark reached the error.
@@ -221,7 +222,7 @@ def pictures() -> None:
         pyplot.close(figure)
 
 
-SHOWN = ("ball", "cradle", "balls_12")
+SHOWN = ("ball", "crank", "balls_12")
 
 
 def write() -> None:

@@ -12,7 +12,7 @@ from benchmarks.contact.problems import PROBLEMS
 from benchmarks.contact.problems.balls import Balls
 from benchmarks.contact.problems.balls import problem as balls
 from benchmarks.contact.problems.chains import chain
-from benchmarks.contact.problems.loops import four_bars
+from benchmarks.contact.problems.loops import END, four_bars, relative
 from benchmarks.contact.problems.sweeps import sweep
 
 ROW = {"peer": "A", "outcome": "finished", "integrator": "one"}
@@ -132,6 +132,16 @@ def test_programs_by_hand_meet_the_digits(name, integrator, limit):
     crank = PROBLEMS["crank_friction"]()
     (one,) = measuring.attempts(crank, peer, integrator, (1e-12,), 10)
     assert one.error < limit and one.impact_error < limit and one.times[0] > 0
+
+
+def test_the_equations_of_the_squeezer_give_the_published_digits():
+    """Those are themselves 1.1e-9 from the extrapolation, by `extrapolation.integrate` at two tolerances."""
+    squeezer = PROBLEMS["squeezer"]()
+    jacobian, _ = squeezer.physics.constraints(squeezer.start[:21], squeezer.start[21:])
+    assert np.linalg.matrix_rank(jacobian) == 20
+    (peer,) = measuring.peers(("scipy_ivp",))
+    (found,) = peer.prepare(squeezer, "DOP853", 1e-7)().states
+    assert found == pytest.approx(relative(END), abs=1e-6)
 
 
 def test_rows_of_a_sweep_are_runs_of_their_own():

@@ -23,7 +23,7 @@ def settings(problem: Problem) -> dict[str, Sequence[float]]:
     """Return tolerances; those of compiled runs are the same."""
     if problem.kind not in BUILDERS:
         return {}
-    ways = ("", " compiled") if max(problem.contacts, problem.compared) <= COMPILED else ("",)
+    ways = (" compiled", "") if max(problem.contacts, problem.compared) <= COMPILED else ("",)
     return {
         f"{m}{how}": decades(1, 12, 1)
         for how in ways
