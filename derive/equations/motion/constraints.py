@@ -6,7 +6,6 @@ The second derivative of a coupling's equation is exact: its derivatives by coor
 from __future__ import annotations
 
 from collections.abc import Iterable
-from contextlib import suppress
 from itertools import islice
 from math import inf
 from typing import Any
@@ -66,13 +65,18 @@ def _largest(kinematics: Kinematics, constraints: list[Constraint]) -> tuple[lis
     A constraint that every motion fulfils vanishes by structure in the coordinate planes. Along an axis that
     parameters tilt only its terms cancel: cos(tilt) sin(tilt) - sin(tilt) cos(tilt).
     """
-    count, probe, states = len(constraints), Probe(kinematics, kinematics.scene.size), []
-    if constraints:
-        wanted = [*(constraint.rate for constraint in constraints), *(constraint.value for constraint in constraints)]
-        with suppress(*UNDEFINED), mp.workdps(DIGITS):
+    count, probe = len(constraints), Probe(kinematics, kinematics.scene.size)
+    if not constraints:
+        return [], []
+    wanted = [*(constraint.rate for constraint in constraints), *(constraint.value for constraint in constraints)]
+    try:
+        with mp.workdps(DIGITS):
             states = [probe.values(wanted, state) for state in islice(probe.states(parameters=True), STATES)]
-    if len(states) < STATES:  # structure decides
-        return [inf] * count, [inf] * count
+    except UNDEFINED:
+        if count == 1:  # structure decides
+            return [inf], [inf]
+        alone = [_largest(kinematics, [constraint]) for constraint in constraints]
+        return [rate for (rate,), _ in alone], [value for _, (value,) in alone]
     largest = [max(map(abs, column)) for column in zip(*states, strict=True)]
     return largest[:count], largest[count:]
 

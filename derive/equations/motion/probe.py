@@ -14,8 +14,8 @@ from hertzwerk.derive.expressions.parameter import Parameter
 from hertzwerk.derive.program.program import symbols_in
 
 STATES = 4
-UNDEFINED = (ValueError, TypeError, ZeroDivisionError, OverflowError)
-"""Errors of an evaluation where an expression has no value."""
+UNDEFINED = (ValueError, TypeError, ZeroDivisionError, OverflowError, NotImplementedError)
+"""Errors of an evaluation where an expression has no value, or a function that mpmath lacks, such as a curve's."""
 _TRIES, _CORRECTIONS = 20, 30
 
 Numbers = dict[Any, Any]
@@ -34,9 +34,12 @@ class Probe:
         self._functions: dict[tuple[Any, ...], tuple[list[Any], Callable[..., Sequence[Any]]]] = {}
 
     def values(self, wanted: Sequence[Any], inputs: Mapping[Any, Any]) -> list[float]:
-        """Values of expressions on the tape, with the values `inputs`."""
+        """Values of expressions on the tape, with the values `inputs`; inputs of a run are random."""
         symbols, function = self._function(tuple(wanted))
-        known = {**inputs, **{symbol: symbol.si for symbol in symbols if symbol not in inputs}}
+        known = dict(inputs)
+        for symbol in symbols:
+            if symbol not in known:
+                known[symbol] = symbol.si if isinstance(symbol, Parameter) else self._random.uniform(-1, 1)
         return [float(value) for value in function(*(known[symbol] for symbol in symbols))]
 
     def _function(self, wanted: tuple[Any, ...]) -> tuple[list[Any], Callable[..., Sequence[Any]]]:

@@ -219,7 +219,7 @@ def test_a_picture_that_fails_is_reported_and_alone_missing(run, monkeypatch, pl
 
 
 def test_impacts_that_cannot_be_found_lose_no_data(run, monkeypatch):
-    monkeypatch.setattr("hertzwerk.runtime.engine.solution.step_observers.Watch.impacts", fails)
+    monkeypatch.setattr("hertzwerk.runtime.engine.solution.contact_watch.follow", fails)
     code, said, reported = run("--no-plots")
     assert code == 1
     assert reported["impacts"] == []

@@ -91,7 +91,7 @@ def test_a_full_disk_ends_nothing_that_can_do_without_the_cache(folder, monkeypa
 
 TRUNCATED = """
 from hertzwerk.runtime import load, simulate
-print(simulate(load("bouncing_ball"), duration="10 ms", tolerance=1e-6, method="dopri5", compiled=True).final)
+print(simulate(load("bouncing_ball"), duration="10 ms", tolerance=1e-6, method="dopri5", compiled=True).engine.final)
 """
 
 

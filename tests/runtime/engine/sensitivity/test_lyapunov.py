@@ -133,7 +133,7 @@ def test_through_forces_that_jump_changes_grow_as_differences_of_runs():
     units = {name: model.units[name] for name in ("vertical.travel", "vertical.speed")}
 
     def end(name, change):
-        moved = simulate(model, initial={name: (run[name][0] + change, units[name])}, **how).final
+        moved = simulate(model, initial={name: (run[name][0] + change, units[name])}, **how).engine.final
         return np.array([moved[name] for name in units])
 
     change = np.column_stack([(end(name, d) - end(name, -d)) / (2 * d) for name in units])

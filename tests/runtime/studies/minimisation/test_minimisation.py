@@ -89,7 +89,7 @@ def test_counterweight_of_a_crank_with_clearance():
 def test_a_motion_that_the_parameter_changes():
     """Through impacts: the restitution for which a ball is at a height; an output without derivatives by differences."""
     ball, how = load("bouncing_ball"), {"duration": "0.7 s", "tolerance": 1e-9, "compiled": False}
-    wanted = simulate(ball, parameters={"restitution": 0.7}, **how).final["vertical.travel"]
+    wanted = simulate(ball, parameters={"restitution": 0.7}, **how).engine.final["vertical.travel"]
     best = minimise(
         ball, "restitution", {"restitution": "0.3..0.95"}, {"final.vertical.travel": f"= {wanted} m"}, **how
     )

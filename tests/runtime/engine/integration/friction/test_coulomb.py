@@ -440,7 +440,7 @@ def test_the_pin_of_the_slider_crank_slips_and_sticks_in_its_bush():
     model, smooth = engine_model(sharp), engine_model("slider_crank")
     options = {"duration": "6 ms", "tolerance": 1e-8}
     runs = {method: simulate(model, method=method, **options) for method in ("dop853", "esdirk", "cvodes")}
-    travel = runs["dop853"].final["guide.travel"]
+    travel = runs["dop853"].engine.final["guide.travel"]
     assert {-1.0, 0.0, 1.0} == set(runs["dop853"]["slider_pin.slip"])
     for method, run in runs.items():
         assert run.engine.final["guide.travel"] == pytest.approx(travel, abs=3e-8 if method in REFERENCES else 2e-9)
@@ -448,7 +448,7 @@ def test_the_pin_of_the_slider_crank_slips_and_sticks_in_its_bush():
     layers = ("1e-2 m/s", "1e-3 m/s", "1e-4 m/s")
     errors = [
         abs(
-            simulate(smooth, method="esdirk", parameters=mu | {"friction_speed": layer}, **options).final[
+            simulate(smooth, method="esdirk", parameters=mu | {"friction_speed": layer}, **options).engine.final[
                 "guide.travel"
             ]
             - travel

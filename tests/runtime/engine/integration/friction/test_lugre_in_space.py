@@ -222,7 +222,7 @@ def test_bristles_stay_in_the_tangent_plane_that_tilts():
     assert np.max(np.abs(bent)) > 0.5 * MU_K / S_0
     assert np.max(np.abs(np.sum(bent * normal, axis=0))) < 1e-6 * MU_S / S_0
     for name in ("flight.x", "flight.z", "flight.x_speed", "rub.bristle_y"):
-        assert runs[1].final[name] == pytest.approx(run.engine.final[name], rel=1e-6, abs=1e-12)
+        assert runs[1].engine.final[name] == pytest.approx(run.engine.final[name], rel=1e-6, abs=1e-12)
 
 
 def test_jacobian_against_differences():
