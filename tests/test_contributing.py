@@ -67,7 +67,7 @@ def test_every_file_that_a_recipe_names_is_there(name):
     root = Path(__file__).parents[1]
     paths = {
         path
-        for path in re.findall(r"(?:`|> )((?:derive|runtime|tests|\.readme)/[\w./*]+)", RECIPES[name])
+        for path in re.findall(r"(?:`|> )((?:derive|runtime|tests|\.readme)/[\w./*-]+)", RECIPES[name])
         if "NAME" not in path
     }
     assert paths

@@ -41,6 +41,7 @@ COLUMNS = [
     "machine",
     "python",
 ]
+NOT_STATED = "not stated"  # outcome of a peer that has no form of a problem
 LONGEST = 0.25  # s; a call that takes longer ends the series of its integrator
 PART = 0.2  # of the budget that the first calls of one of many peers may take
 SHORT = 5e-3  # s; shorter calls are repeated within a round up to this time
@@ -101,7 +102,7 @@ def measure(problem: Problem, chosen: list[Any], budget: float, rounds: int = RO
             continue
         stated = peer.settings(problem)
         if not stated:
-            rows.append(row(problem, peer, outcome="not stated"))
+            rows.append(row(problem, peer, outcome=NOT_STATED))
         for integrator, values in stated.items():
             if used() - first > budget * max(PART, 1 / len(chosen)):
                 rows.append(row(problem, peer, integrator, outcome="not measured: the budget was used up"))

@@ -6,7 +6,7 @@ import math
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from benchmarks.contact.measuring import read
+from benchmarks.contact.measuring import NOT_STATED, read
 from benchmarks.contact.problems import PROBLEMS
 from benchmarks.ratios import seconds
 
@@ -88,11 +88,15 @@ def table(rows: list[dict[str, Any]], targets: tuple[float, ...], column: str = 
             text = f"{seconds(one.seconds)} ({one.integrator.removesuffix(' compiled')}, {one.setting})" if one else "-"
             cells.append(f"**{text}**" if one and one == first else text)
         lines.append(f"| {name} | " + " | ".join(cells) + " |")
+    others = []
     for name, own in absent:
         errors = [float(row[column]) for row in finished(own)]
         why = f"smallest error {min(errors):.1e}" if errors else own[0]["outcome"] if own else "not measured"
-        lines.append(f"| {name} | {why} | " + " | ".join("" for _ in targets[1:]) + " |")
-    return lines
+        if why == NOT_STATED:
+            others.append(name)
+        else:
+            lines.append(f"| {name} | {why} | " + " | ".join("" for _ in targets[1:]) + " |")
+    return [*lines, "", f"The benchmark does not state it for {', '.join(others)}."] if others else lines
 
 
 def measured() -> dict[str, list[dict[str, str]]]:
