@@ -110,13 +110,22 @@ class Grid:
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
+        times = self.passed(block, fresh)
+        if len(times):
+            self.keep(np.asarray(block.at(times, compared=self._compared).rows))
+
+    def passed(self, block: History, fresh: int) -> np.ndarray:
+        """Return the next times [s] that the steps have passed, whose states are to be kept."""
         if not fresh:
             self._first = block.rows[:1].copy()
         self._last = block.of(block.rows[-1:].copy())
         stop = int(np.searchsorted(self._times, block.t[-1]))  # the last row has to wait: an event may change it yet
-        if stop > self._count:
-            self._rows.append(np.asarray(block.at(self._times[self._count : stop], compared=self._compared).rows))
-            self._count = stop
+        times, self._count = self._times[self._count : stop], stop
+        return times
+
+    def keep(self, rows: np.ndarray) -> None:
+        """Keep the states at the times just passed."""
+        self._rows.append(rows)
 
     @cached_property
     def history(self) -> History:
@@ -154,9 +163,7 @@ class Sampled:
         self._waiting: list[tuple[History, int]] = []
         # no event of a period meets those between
         between = begin + (np.arange(count) + (3 - 5**0.5) / 2) / count * (end - begin)
-        self._times, self._count = np.concatenate([[begin], between, [end]]), 0
-        self._rows: list[np.ndarray] = []  # at those times
-        self._last: History  # of one row
+        self._grid = Grid(np.concatenate([[begin], between, [end]]))
         self._steps = self._turns = 0
         self._within = _Within(self.EVEN, 1), _Within(self.EVEN, 1), _Within(self.BENT, len(self.THROUGHOUT))
 
@@ -171,9 +178,7 @@ class Sampled:
             self._of(*self._waiting.pop(0))
 
     def _of(self, block: History, fresh: int) -> None:
-        self._last = block.of(block.rows[-1:].copy())  # which has to wait: an event may change it yet
-        stop = int(np.searchsorted(self._times, block.t[-1]))
-        times, self._count = self._times[self._count : stop], stop
+        times = self._grid.passed(block, fresh)
         before = np.searchsorted(block.t, times, side="right") - 1
         first = max(fresh - 1, 0)
         controls, layout = block.controls, block.engine.layouts.controls
@@ -196,7 +201,7 @@ class Sampled:
         bounds = np.cumsum([len(times), *(parts.size for _, parts in chosen)])[:-1]
         at_times, *within = np.split(rows, bounds)
         at_times[:, block.columns("t").start] = times  # not t + (time - t), which may differ in the last digit
-        self._rows.append(at_times)
+        self._grid.keep(at_times)
         for steps, states in zip(self._within, within, strict=True):
             steps.keep(states)
         self._steps, self._turns = self._steps + len(begins), self._turns + len(zeros)
@@ -205,11 +210,10 @@ class Sampled:
     def history(self) -> History:
         """Histories at the times that the run reached, once it has ended."""
         self._sample()
-        last = self._last
-        arrived = int(last.t[0] in self._times[self._count : self._count + 1])
+        grid = self._grid.history
         own = (states.reshape(-1, states.shape[-1]) for steps in self._within for states in steps.rows)
-        rows = np.concatenate([*own, *self._rows, last.rows[:arrived]])
-        return last.of(rows[np.unique(rows[:, last.columns("t").start], return_index=True)[1]])
+        rows = np.concatenate([*own, grid.rows])
+        return grid.of(rows[np.unique(rows[:, grid.columns("t").start], return_index=True)[1]])
 
 
 class _Within:
