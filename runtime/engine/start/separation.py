@@ -22,7 +22,6 @@ from hertzwerk.runtime.engine.start.start_values import assembled
 
 STEPS = range(-6, 21)  # changes that are tried: these powers of two, times the scale of the coordinate
 HALVINGS = 60
-GOLDEN = (math.sqrt(5) - 1) / 2
 PRESSED = 1e-2  # part of the overlap that other pairs may have had before, as those at rest do
 TURNS = np.linspace(0, math.pi / 4, 1025)  # rad, tried between teeth: a wheel with 8 teeth or more has its gap within
 
@@ -120,9 +119,8 @@ class _Start:
         joints, fixed = self.model.joints, {*(self.model.module.GIVEN or ()), *self.initial}
         moving = self.model.members[self.j][1] if self.model.members else range(joints.nq)
         names = joints.coordinates
-        return [
-            i for i in moving if joints.units[names[i]] != "1" and (names[i] in fixed or not self._in_loops[i])
-        ]  # fmt: skip
+        free = (i for i in moving if names[i] in fixed or not self._in_loops[i])
+        return [i for i in free if joints.units[names[i]] != "1"]
 
     def turns_curve(self, i: int) -> bool:
         """Whether coordinate i is an angle outside loops and the pair two curves, which may have teeth."""
@@ -167,12 +165,18 @@ def _least_change(room: Callable[[float], float], size: float, depth: float) -> 
 
 def _between_teeth(room: Callable[[float], float], depth: float) -> float | None:
     """Return the least turn that leaves most room between surfaces that enclose each other."""
+    from scipy.optimize import minimize_scalar  # slow to import
+
+    def most(low: float, high: float) -> float:
+        best = minimize_scalar(lambda turn: -room(turn), bounds=sorted((low, high)), options={"xatol": 1e-12})
+        return float(best.x)
+
     ways = []
     for sign in (1, -1):
         turns = sign * TURNS
         rooms = [room(turn) for turn in turns]
         tops = (n for n in range(1, len(turns) - 1) if rooms[n] == max(rooms[n - 1 : n + 2]))
-        tried = (_most_room(room, turns[n - 1], turns[n + 1]) for n in tops)
+        tried = (most(turns[n - 1], turns[n + 1]) for n in tops)
         ways += [next((turn for turn in tried if room(turn) >= 0 and _continuous(room, turn, depth)), math.inf)]
     least = min(ways, key=abs)
     return None if math.isinf(least) else least
@@ -187,22 +191,3 @@ def _opening(room: Callable[[float], float], closed: float, opened: float) -> fl
         middle = (closed + opened) / 2
         closed, opened = (closed, middle) if room(middle) >= 0 else (middle, opened)
     return opened
-
-
-def _most_room(room: Callable[[float], float], low: float, high: float) -> float:
-    """Return where room is largest between two changes.
-
-    By golden sections (Kiefer, Proc. AMS 4, 1953, 502).
-    """
-    inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)]
-    rooms = [room(change) for change in inner]
-    for _ in range(HALVINGS):
-        if rooms[0] >= rooms[1]:
-            high, inner[1], rooms[1] = inner[1], inner[0], rooms[0]
-            inner[0] = high - GOLDEN * (high - low)
-            rooms[0] = room(inner[0])
-        else:
-            low, inner[0], rooms[0] = inner[0], inner[1], rooms[1]
-            inner[1] = low + GOLDEN * (high - low)
-            rooms[1] = room(inner[1])
-    return (low + high) / 2
