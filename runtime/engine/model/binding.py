@@ -145,7 +145,7 @@ def _unit_fault(
 
 def named_values(where: str, values: object, faults: list[Fault]) -> Mapping[str, Value]:
     """Return values by name; anything but a mapping is appended to `faults`."""
-    if isinstance(values, (dict, Mapping)):
+    if isinstance(values, Mapping):
         return values
     faults.append(Fault(where, shown(values), 'values by name, such as {"clearance": "0.2 mm"}'))
     return {}

@@ -100,7 +100,7 @@ class Settings:
     def sensitivity_faults(self, model: EngineModel) -> list[Fault]:
         """Return the faults of the names of derivatives."""
         names = self.sensitivities
-        if isinstance(names, str) or not isinstance(names, (tuple, Sequence)):
+        if isinstance(names, str) or not isinstance(names, Sequence):
             expected = 'names of parameters and initial states, such as ("restitution",)'
             return [Fault("sensitivities", shown(names), expected)]
         known = quantities(model) if names else {}
@@ -292,7 +292,7 @@ def _key(value: object) -> Hashable:
         return type(value), value
     if isinstance(value, tuple):
         return tuple(map(_key, value))
-    return tuple((name, _key(each)) for name, each in value.items()) if isinstance(value, (dict, Mapping)) else object()
+    return tuple((name, _key(each)) for name, each in value.items()) if isinstance(value, Mapping) else object()
 
 
 def read_duration(

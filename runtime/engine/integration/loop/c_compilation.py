@@ -25,7 +25,7 @@ from typing import Any
 
 import casadi as ca
 
-from hertzwerk.runtime.engine.integration.loop.c_files import LOOP, OFTEN, SELDOM, CFile, c_files
+from hertzwerk.runtime.engine.integration.loop.c_files import OFTEN, SELDOM, CFile, c_files
 from hertzwerk.runtime.system import cache as disk
 from hertzwerk.runtime.system.atomic_files import scratch_folder
 from hertzwerk.runtime.system.forked_tasks import cores
@@ -42,7 +42,8 @@ FLAGS = (
 FUSED = "-ffp-contract=fast"
 # a symbol that is nowhere is an error of the linker, not the end of the process that calls it
 DEFINED = () if sys.platform in ("darwin", "win32") else ("-Wl,-z,defs",)
-INDEPENDENT = "#pragma GCC ivdep\n"  # entries are: vectors of CasADi are one or apart
+LOOP = "\n  for (i=0, rr="  # over the entries of CasADi's vectors, which are one or apart
+INDEPENDENT = "\n#pragma GCC ivdep"
 PATIENCE = 0.1  # s between two polls
 _OPERATION = re.compile(r"^ +/\* #\d+: .* \*/\n", re.MULTILINE)  # CasADi's comment on an operation of a graph
 # s of the processor: within 2 of what 10 programs of 1 to 300 pairs took; a loop takes as long as 200 characters
@@ -139,7 +140,7 @@ def c_text(functions: Iterable[Any], name: str = "hertzwerk_chunk") -> str:
     # what the library's functions give, in line: a call costs as much as ten operations
     for name, order in (("fmin", "<"), ("fmax", ">")):
         text = text.replace(f"return {name}(x, y);", f"return x {order} y || y != y ? x : y;")
-    return text.replace(f"\n  {LOOP}", f"\n{INDEPENDENT}  {LOOP}")
+    return text.replace(LOOP, INDEPENDENT + LOOP)
 
 
 def compile_files(

@@ -21,7 +21,6 @@ BESIDE = (
     10_000  # characters of a function up to which it stays in the file of those that call it, where it may be inlined
 )
 OFTEN, SELDOM = "-O3", "-O1"  # level by how often a function runs; of steps with events alone -O3 makes no run faster
-LOOP = "for (i=0, rr="  # over the entries of CasADi's vectors
 # characters of what an exported function needs, up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1
 LARGE = 1_500_000
 # conditions of a function beyond which each is a mask of bits, not a branch: ball_bearing's `decide`, of 819, compiles in half the time
