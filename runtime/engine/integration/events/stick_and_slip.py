@@ -39,7 +39,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 TOGETHER = 5  # rounds in which all violating pairs change; nearly always enough
 ONE_BY_ONE = 3  # rounds per pair in which the first one changes
 ROUNDING = 1e-10  # of the terms of an acceleration, below which it has no sign
-AT_REST = 1.5 * AHEAD  # of the landing tolerance: sliding velocity in two directions that counts as none
+AT_REST = 1.5  # of the size of the slip, across which a little speed is left: sliding velocity in two directions that counts as none
 
 
 @per_model
@@ -110,10 +110,11 @@ def _problem(model: EngineModel) -> Any:
     ahead = ca.SX(pull)
     for group in now.groups:
         if len(group) > 1:
-            slow[group], way[group] = (
-                size_of(now.velocity[group]) <= AT_REST * rate[group],
-                unit_of(now.velocity[group]),
-            )
+            # the slip's own size: that of a new one would be of rounding, which may have grown a thousandfold since this one began
+            size = size_of(now.slip[group])
+            size = ca.if_else(size > 0, size, AHEAD * rate[group])
+            slow[group] = size_of(now.velocity[group]) <= ca.fmax(AT_REST * size, rate[group])
+            way[group] = unit_of(now.velocity[group])
             pull[group] = ca.if_else(undecided[group], opposed(now.velocity[group]), now.direction[group])
             ahead[group] = ca.if_else(undecided[group], way[group], unit_of(now.slip[group]))
     still = now.touching * (slow + stays > 0)

@@ -72,6 +72,16 @@ def test_a_slip_follows_the_direction_of_sliding():
     assert distance(*truth_of(truth, actual, rows), actual.engine.scales.pace).max() < 4e-10
 
 
+def test_a_slip_goes_on_until_it_comes_to_rest():
+    """Body 543 was brought to rest at .12875536 s, 1.26e-12 s early, when a step ended at 2.4e-8 m/s: rounding by 3e4 m/s^2 counted as rest."""
+    body = replace(body_of(543), duration=0.1288)
+    actual = run(body, tolerance=1e-12)
+    (motion,) = motions([body])
+    sticks = next(t for t, kind, _ in motion.events if kind == "sticks")
+    rests = actual.t[np.argmax((actual["floor.slip"] == 0) & (actual["floor.normal_force"] > 0))]
+    assert abs(rests - sticks) < 2e-14
+
+
 def test_steps_go_on_where_rounding_turns_friction():
     """Body 209 breaks loose at .27471 s: in its slow slip Newton's changes are last digits, which do not contract; 100,000 steps of 1e-11 s."""
     actual = run(replace(body_of(209), duration=0.2748), tolerance=4.7e-13, max_steps=2000)
