@@ -69,7 +69,9 @@ PLACE = "INSERT OR REPLACE INTO points VALUES (?, ?, ?)"
 HELD = 10_000  # rows of a table, beyond which they stay in the folder
 PATIENCE = 30.0  # s to wait for a reader
 PAGE = 4096  # bytes, as SQLite sets it
-SIZE_AT = slice(28, 32)  # bytes of the first page that say how many there are
+VERSIONS_AT = slice(18, 20)  # bytes of the first page: of writing and reading, of which SQLite writes no other
+VERSIONS = b"\1\1", b"\2\2", b""  # without a log and with one, and of an empty file
+SIZE_AT = slice(28, 32)  # those that say how many pages there are
 FAILED = (sqlite3.Error, UnicodeError, OverflowError, MemoryError)  # to read what is damaged
 SOUND = {  # what SQLite says of the system, not of the file
     *(sqlite3.SQLITE_PERM, sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED, sqlite3.SQLITE_READONLY),
@@ -157,7 +159,9 @@ def check(folder: Path) -> None:
         empty = file.stat().st_size + (log.stat().st_size if log.exists() else 0) <= PAGE
         if not tables and empty and not (folder / DEFINITION).exists():
             return  # whose process was killed before it wrote any
-        if tables != TABLES or rows.execute("PRAGMA integrity_check(1)").fetchone() != ("ok",):
+        with file.open("rb") as content:
+            writable = content.read(VERSIONS_AT.stop)[VERSIONS_AT] in VERSIONS
+        if not writable or tables != TABLES or rows.execute("PRAGMA integrity_check(1)").fetchone() != ("ok",):
             raise DamagedError(f"{file} is damaged")
 
 

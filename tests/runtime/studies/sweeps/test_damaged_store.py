@@ -224,6 +224,17 @@ def test_a_file_that_is_none_of_sqlite_is_set_aside_with_its_rows_kept(whole, fo
     assert (folder / "rows.damaged-001.sqlite").read_bytes() == content
 
 
+def test_a_file_that_sqlite_only_reads_is_damaged(whole, folder):
+    """A bit of the version of its format: all was in order until the first row was to be written."""
+    checkpointed(folder)
+    with (folder / sweep_store.ROWS).open("r+b") as file:
+        file.seek(18)
+        file.write(b"\3")
+    with sweep_store.opened(folder) as opened:
+        assert opened.damage.whole == ROWS
+        opened.add({"another": whole[1].rows[0]}, {})
+
+
 def test_a_file_that_is_empty_now_is_damaged_and_one_of_a_process_killed_at_once_is_not(folder, tmp_path):
     checkpointed(folder)
     (folder / sweep_store.ROWS).write_bytes(b"")
