@@ -10,11 +10,15 @@ from hertzwerk.derive.expressions.parameter import POSITIVE, Interval, Scalar, S
 
 @dataclass(frozen=True)
 class Material:
-    """Linear elastic material: Young's modulus [Pa], Poisson's ratio [1], density [kg/m^3] if known."""
+    """Linear elastic material: Young's modulus [Pa], Poisson's ratio [1]; density [kg/m^3] and yield strength [Pa] if known.
+
+    The yield strength is that in simple tension.
+    """
 
     youngs_modulus: Scalar
     poissons_ratio: Scalar
     density: Scalar | None = None
+    yield_strength: Scalar | None = None
 
     def slots(self) -> Iterator[Slot]:
         """Yield the quantities of the material."""
@@ -22,3 +26,5 @@ class Material:
         yield Slot("material, Poisson's ratio", self.poissons_ratio, "1", Interval(-1, 0.5, open_left=True))
         if self.density is not None:
             yield Slot("material, density", self.density, "kg/m^3", POSITIVE)
+        if self.yield_strength is not None:
+            yield Slot("material, yield strength", self.yield_strength, "Pa", POSITIVE)
