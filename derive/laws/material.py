@@ -10,9 +10,9 @@ from hertzwerk.derive.expressions.parameter import POSITIVE, Interval, Scalar, S
 
 @dataclass(frozen=True)
 class Material:
-    """Linear elastic material: Young's modulus [Pa], Poisson's ratio [1]; density [kg/m^3] and yield strength [Pa] if known.
+    """Linear elastic material: Young's modulus [Pa], Poisson's ratio [1].
 
-    The yield strength is that in simple tension.
+    If known, density [kg/m^3] and yield strength in simple tension [Pa].
     """
 
     youngs_modulus: Scalar
