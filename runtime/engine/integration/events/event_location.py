@@ -144,17 +144,20 @@ def no_event_possible(
     b = _quintic(before, after, h)
     between = _graze_margin(before, after, h)
     soon = b[5] + NEAR * h * after[1]
-    # where the tangent at its start pulls, the force may run out and return: see `dips`
-    force = ca.fmin(end["force"], (mode == CONTACT) * (start["force"] + h * start["force_rate"]))
-    clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, force)[pairs])
+    # where the tangent at its start pulls and the force rises at its end, it may run out and return: see `dips`
+    returns = (mode == CONTACT) * (end["force_rate"] > 0)
+    force = ca.fmin(end["force"], ca.if_else(returns, start["force"] + h * start["force_rate"], 0))
+    leaving = (b[0] <= tol) * (before[1] >= 0)  # the root at the start is none: see `polynomials`
+    clear = ((b[0] > tol) + leaving > 0) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, force)[pairs])
     # cut to where a force runs out, but a little short of it: `next_modes` decides
     least = end["force"] <= LANDING * run["tolerance"] * run["scales"][2]
     faded = (mode == CONTACT) * (start["retakes"] > 0) * least * (end["force_rate"] < 0)
     clear *= 1 - (ends_with_force(model) * faded)[pairs]
     if any(rubs_till_it_pulls(model)):
         clear *= 1 - (ca.DM(rubs_till_it_pulls(model)) * (start["force"] * end["force"] < 0))[pairs]
+    least = ca.if_else(leaving, b[0], between)
     for coefficient in b[1:5]:
-        clear *= coefficient > between
+        clear *= coefficient > least
     return clear * (margins_positive(model, mode, start, end) if model.ns else 1)
 
 

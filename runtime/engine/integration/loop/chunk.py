@@ -361,6 +361,7 @@ class _March:
     def end(self, error: Exception | None) -> Ending:
         """Return how the run ended."""
         self._give_back()
+        vars(self).pop("_poll", None)  # which refers to the run: a cycle would wait for the collector
         wall_s = time.perf_counter() - self._began
         return Ending(self._state, self._tally, self.status, wall_s, self._resume, error)
 
