@@ -95,6 +95,7 @@ if TYPE_CHECKING:  # the list of public names
         RollingResistance as RollingResistance,
     )
     from hertzwerk.derive.declare.effects.tribology.lubrication import Lubrication as Lubrication
+    from hertzwerk.derive.declare.effects.tribology.wear import Wear as Wear
     from hertzwerk.derive.declare.effects.motors import DCMotor as DCMotor
     from hertzwerk.derive.declare.effects.nonholonomic import (
         KnifeEdge as KnifeEdge,

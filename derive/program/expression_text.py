@@ -25,6 +25,7 @@ from hertzwerk.derive.expressions.algebra.planar_curve import (
     Sampled,
     Support,
 )
+from hertzwerk.derive.expressions.algebra.sectors import Mean, Share, Shares
 from hertzwerk.derive.expressions.algebra.splines import Spline
 from hertzwerk.derive.expressions.parameter import CURVE, TABLE
 
@@ -256,6 +257,9 @@ _RULES: dict[type, Callable[[Any], tuple[str, int]]] = {
     Entry: _entry,
     Stacked: lambda node: (_vector(node.args), _ATOM),
     Features: _call("_features"),
+    Shares: _call("_shares"),
+    Share: _entry,
+    Mean: lambda node: (f"ca.dot({node.args[0].name}, {_vector(node.args[1:])})", _ATOM),
     sp.LambertW: _lambert_w,
     sp.gamma: _call("_gamma"),
     sp.StrictGreaterThan: _relation(">"),

@@ -31,6 +31,7 @@ class Pair:
                   gap is (c^2 - e.e)/(2 c), c its clearance
     guides        whether it is one of several that together replace a joint, which has no eccentricity to close
     holds_film    whether a lubrication may act on it
+    wears         how it may wear: around a "contour", at a "flat" spot of the first surface, or "" for not at all
     labels        names of the two places in the equations
     """
 
@@ -42,6 +43,7 @@ class Pair:
     journal: ClassVar[bool] = False
     guides: ClassVar[bool] = False
     holds_film: ClassVar[bool] = False
+    wears: ClassVar[str] = ""
     labels: ClassVar[tuple[str, str]] = ("first", "second")
 
     @property

@@ -35,7 +35,8 @@ class Forces:
     `generalised` and `friction_power` then do not include, and has its sliding velocities. `rubbing` is the part of `generalised` due to friction,
     `friction_force` [N] its force on the first body along the direction of `sliding_velocity`, and `drag` [N] that as a
     vector, else None. `resistances` are the moments against rolling and drilling by effect, which `generalised` includes, and
-    `turning` the grips of those with modes, which it does not.
+    `turning` the grips of those with modes, which it does not. `wear` are the rates of its states by name, and its power the
+    stored energy that is lost with what is worn off.
     """
 
     generalised: dict[str, Any]
@@ -51,6 +52,8 @@ class Forces:
     drag: Vector | None = None
     resistances: Mapping[PairResistance, Moment] = field(default_factory=dict)
     turning: Mapping[PairResistance, Grip] = field(default_factory=dict)
+    wear: Mapping[str, Any] = field(default_factory=dict)
+    wear_power: Any = sp.S.Zero
 
     @property
     def grips(self) -> list[Grip]:
@@ -143,20 +146,28 @@ class PairKinematics:
     ) -> Forces:
         """Forces of the pair, from latched approach speed [m/s] and bristle deflections [m] where it has them."""
         elastic, _ = self.elastic(contact)
+        worn, stretch = self.touch.worn, self.touch.stretch
         normal_force, normal_power = elastic, sp.S.Zero
         if contact.damping is not None:
             resistance = self._resistance(contact, contact.damping, elastic, approach_speed)
-            normal_force = self.let(elastic + resistance, "normal_force")
+            normal_force = self.let(elastic + resistance, "normal_force" if stretch is None else "gradient_force")
             normal_power = self.let(resistance * self.touch.penetration_rate, "normal_power")
+        along_gradient = normal_force
+        if stretch is not None:
+            normal_force = self.let(stretch * along_gradient, "normal_force")
         # The line of action passes through the first place: its shorter arm suffices.
         push = self._named(scale(normal_force, self.touch.normal), "push")
         generalised = self._on_joints(push, self.touch.position, "push")
+        if stretch is not None:
+            bodies = self.touch.first.body, self.touch.second.body
+            couple = self.kin.generalised_moment(worn.couple(along_gradient), *bodies, f"{self.pair.name}_couple")
+            generalised = together(generalised, couple)
         resistances = self.kin.scene.resistances(self.pair.name)
         modes = friction is not None and bool(friction.law.law.modes)
         pulls = contact.damping is not None and contact.damping.law.release == "gap"
         pressing = normal_force
         if (
-            (pulls and (friction is not None or resistances))
+            (pulls and (friction is not None or resistances or worn))
             or modes
             or any(effect.has_modes for effect in resistances)
         ):
@@ -168,7 +179,15 @@ class PairKinematics:
         shares = (moment.generalised for moment in moments.values())
         generalised = together(generalised, *shares, rubs.get("rubbing", {}))
         in_range = self._in_range(contact)
+        if worn is not None:
+            progress = worn.progress(pressing, self._sliding_speed())
+            rubs |= {"wear": progress.rates, "wear_power": self.let(elastic * progress.recession, "wear_power")}
         return Forces(generalised, normal_power, normal_force, in_range, resistances=moments, turning=turning, **rubs)
+
+    def _sliding_speed(self) -> Any:
+        """Size of the sliding velocity [m/s]."""
+        plane = self.touch.plane_of_motion
+        return self._size(self._slip())[0] if plane is None else sp.Abs(self._sliding(plane)[1])
 
     def _rubbing(self, friction: Friction, pressing: Any, bristle: Sequence[Any]) -> dict[str, Any]:
         """Part of `Forces` that friction adds: with modes its grip."""

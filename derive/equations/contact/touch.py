@@ -38,6 +38,10 @@ class Touch:
     """Whether gap and normal are known to be consistent; else they are tested at random states."""
     limit: Any = None
     """Penetration up to which the geometry holds [m]; None without a limit."""
+    worn: Any = None
+    """Worn surfaces, a `Worn`; None without wear."""
+    stretch: Any = None
+    """Length of the gradient of the penetration [1] where it is not 1: the normal force over that by the penetration."""
 
     def __init__(self, pair: Pair, kinematics: Kinematics) -> None:
         self.kin = kinematics

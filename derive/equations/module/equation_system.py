@@ -13,6 +13,7 @@ import sympy as sp
 
 from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.derive.declare.effects.effect import CONTACT, DISSIPATED, NOWHERE, Event, Rubbing, state_faults
+from hertzwerk.derive.declare.effects.tribology.wear import Wear
 from hertzwerk.derive.declare.mechanism.joints.joint import Port
 from hertzwerk.derive.declare.scene.periods import period
 from hertzwerk.derive.declare.scene.scene import Scene
@@ -65,7 +66,13 @@ class System:
         for effect, (coefficient, holding) in self.kin.rubbing.items():
             self.pressed[coefficient] = Row(f"{effect}.coefficient", "1", sp.S.Zero, sp.S.Zero, False)
             self.pressed[holding] = Row(f"{effect}.holding", "N", sp.S.Zero, sp.S.Zero, False)
-        self.rows = [*rows, *self.pressed.values()]
+        units = {"m": "m/s", "N m": "W"}
+        self.worn = [
+            Row(name, units[state.unit], sp.S.Zero, sp.S.Zero, False)
+            for name, state in scene.states.items()
+            if isinstance(scene.effect(name.split(".")[0]), Wear)
+        ]
+        self.rows = [*rows, *self.pressed.values(), *self.worn]
         self.row_units = tuple(row.unit for row in self.rows)
         self.loops = self.equations.constraints
         faults = [fault for pair, _, friction in self.contacts for fault in pair.faults(friction, scene.size)]

@@ -63,6 +63,7 @@ def tables(system: System) -> Mapping[str, Any]:
         "BODIES": tuple(body.name for body in scene.mechanism.bodies),
         "LANDMARKS": tuple(landmark.row for landmark in system.landmarks),
         "FAMILIES": (),
+        **({"WORN": _worn(system)} if system.worn else {}),
         **{table_name(table): table.pieces() for table in _tables_used(scene)},
     }
 
@@ -149,6 +150,12 @@ def _loop_tables(system: System) -> dict[str, Any]:
         "JOINT_QUATERNIONS": None if joints is None else _quaternions(joints.coordinates),
         "JOINT_CONSTRAINTS": None if joints is None else _names(joints.loops),
     }
+
+
+def _worn(system: System) -> tuple[tuple[int, int], ...]:
+    """Entries of q whose rates are those of wear, each with its place among the forces."""
+    entries, first = [name for name, _ in system.coordinates], len(system.rows) - len(system.worn)
+    return tuple((entries.index(row.key), first + i) for i, row in enumerate(system.worn))
 
 
 def _names(loops: tuple[Constraint, ...]) -> tuple[tuple[str, str], ...]:

@@ -48,7 +48,7 @@ def coordinate_rates(system: System) -> Function:
 
 def applied(system: System) -> Function:
     """Generalised forces other than contact forces."""
-    pressed = system.pressed.values()
+    pressed = [*system.pressed.values(), *system.worn]
     weight = {row.key: sp.S.Zero if row in pressed else system.equations.gravity(row) for row in system.rows}
     for gravity in system.scene.all(Gravity):
         system.enter(gravity.name, weight)
@@ -76,7 +76,8 @@ def accelerations(system: System) -> tuple[Function, ...]:
 def _accelerations_under_loads(system: System, carried: Carried, symbols: dict[str, Any]) -> tuple[Function, ...]:
     """Accelerations under loads by reactions, these loads, and how unique the reactions are."""
     pressed = {symbol: symbols[row.key] for symbol, row in system.pressed.items()}
-    solved = carried.solved({row: force for row, force in symbols.items() if row not in pressed.values()}, pressed)
+    beside = [*pressed.values(), *(row.key for row in system.worn)]
+    solved = carried.solved({row: force for row, force in symbols.items() if row not in beside}, pressed)
     a, multipliers, of_drives = solved.accelerations, solved.multipliers, []
     if system.scene.ledger:
         of_drives = system.equations.reactions(solved.forces, a, multipliers)

@@ -47,13 +47,17 @@ def contact(system: System, pair: PairKinematics, contact: Contact, friction: Fr
     for effect, turning in forces.turning.items():
         for axis in turning.along:
             system.enter(effect.name, axis, driven=True)
-    by_row = {**forces.generalised, f"{name}.normal_force": forces.normal_force}
+    by_row = {**forces.generalised, f"{name}.normal_force": forces.normal_force, **forces.wear}
     f = [by_row.get(row.key, sp.S.Zero) for row in system.rows]
     rates = {f"{name}.dissipated": forces.normal_power}
     rates |= {f"{effect.name}.dissipated": moment.power for effect, moment in forces.resistances.items()}
     if friction is not None:
         rates[f"{friction.name}.dissipated"] = forces.friction_power
     rates |= dict(zip(bristles, forces.bristle_rates, strict=True))
+    if pair.touch.worn is not None:
+        wear = pair.touch.worn.wear.name
+        rates[f"{wear}.dissipated"] = forces.wear_power
+        system.entered.add(wear)
     sliding = () if friction is None else (forces.sliding_velocity,) if forces.grip is None else forces.grip.velocity
     grip = _grips(system, name, friction, forces) if forces.grips else []
     parts = [contact.text, *([friction.law.law.name] if friction else [])]
@@ -110,8 +114,8 @@ def _grips(system: System, name: str, friction: Friction | None, forces: Forces)
 
 
 _PER = {
-    "N": {"N": "1", "N m": "m", "J": "W/N", "m": "m/(s N)"},
-    "N m": {"N": "1/m", "N m": "1", "J": "rad/s", "m": "1/(s N)"},
+    "N": {"N": "1", "N m": "m", "J": "W/N", "m": "m/(s N)", "m/s": "m/(s N)", "W": "W/N"},
+    "N m": {"N": "1/m", "N m": "1", "J": "rad/s", "m": "1/(s N)", "m/s": "1/(s N)", "W": "rad/s"},
 }
 
 

@@ -15,6 +15,7 @@ from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 from sympy.matrices import MatrixBase
 
 from hertzwerk.derive.expressions.algebra.functions import Where
+from hertzwerk.derive.expressions.algebra.sectors import Mean, Share
 from hertzwerk.derive.expressions.algebra.splines import Spline
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
 from hertzwerk.derive.expressions.dimension.tree import Node
@@ -161,6 +162,10 @@ def _node(expr: Any, read: Callable[[Any], Node]) -> Node:
         args = expr.flat()
     elif isinstance(expr, Spline):
         return Node("spline", args=(read(expr.args[1]),), expr=expr)
+    elif isinstance(expr, Mean):  # of shares, which are pure numbers
+        return Node("sum", args=tuple(map(read, args[1:])), expr=expr)
+    elif isinstance(expr, Share):
+        return Node("number", number=sp.S.One, expr=expr)
     op = _OPERATIONS.get(type(expr))
     shape = expr.shape if expr.is_Matrix else None
     return (

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from hertzwerk.derive.program.emit.box_helpers import BOX_HELPERS
 from hertzwerk.derive.program.emit.chain_helpers import CHAIN_HELPERS
 from hertzwerk.derive.program.emit.curve_helpers import CURVE_HELPERS
+from hertzwerk.derive.program.emit.sector_helpers import SECTOR_HELPERS
 
 _NAMES = re.compile(r"(?<!def )\b_\w+")  # but of what is defined there
 
@@ -62,6 +63,7 @@ _SPLINES = {}''',
     **CURVE_HELPERS,
     **CHAIN_HELPERS,
     **BOX_HELPERS,
+    **SECTOR_HELPERS,
 }
 
 

@@ -139,6 +139,8 @@ class EngineModel:
         self.nl = len(self.constraints)
         self.is_length = tuple(row[1] != "1" for row in module.CONSTRAINTS)
         """Whether each constraint is a length [m], not an angle's sine [1]."""
+        self.worn: tuple[tuple[int, int], ...] = getattr(module, "WORN", ())
+        """Rows of q that wear changes in contact, each with the place of its rate among the forces."""
         self.inputs: dict[str, tuple[str, str]] = {row[0]: row[1:] for row in module.INPUTS}
         """Unit and meaning of the inputs by name; the last `npieces` entries of c are their pieces, see `Signal`."""
         self.smooth: dict[str, tuple[int, str]] = {row[0]: row[1:] for row in module.SMOOTH_INPUTS}
@@ -241,6 +243,14 @@ class EngineModel:
     def parts(self, y: Any) -> list[Any]:
         """Return the parts (q, u, z) of a vector of states, or of their errors."""
         return ca.vertsplit(y, [0, self.nq, self.nq + self.nu, y.numel()])
+
+    def coordinate_rates(self, t: Any, q: Any, u: Any, f: Any, c: Any) -> Any:
+        """Return the rates of the coordinates under forces f, symbolic: wear is among these."""
+        rates = self.function("coordinate_rates")(t, q, u, c)
+        if not self.worn:
+            return rates
+        rows, places = zip(*self.worn, strict=True)
+        return rates + ca.mtimes(ca.DM.triplet(rows, places, ca.DM.ones(len(rows)), self.nq, f.numel()), f)
 
     def _size(self, name: str) -> int:
         if name == "f":

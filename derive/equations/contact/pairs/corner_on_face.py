@@ -13,6 +13,7 @@ from hertzwerk.derive.common.faults import Fault
 from hertzwerk.derive.declare.mechanism.bodies import Direction, Point
 from hertzwerk.derive.declare.mechanism.pair import LENGTH, Pair, in_body
 from hertzwerk.derive.equations.contact.touch import Touch
+from hertzwerk.derive.equations.contact.worn_surfaces import WornSpot, wear_at
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.expressions.algebra.vectors import Vector, dot
@@ -35,6 +36,7 @@ class CornerOnFace(Pair):
     length: Scalar | None = None
     kind: ClassVar[str] = "corner_on_face"
     guides: ClassVar[bool] = True
+    wears: ClassVar[str] = "flat"
     measures: ClassVar[Mapping[str, Slot]] = {"length": LENGTH}
 
     @property
@@ -84,8 +86,15 @@ class BoundedFace(Touch):
         )
 
     @cached_property
+    def worn(self) -> WornSpot | None:
+        """Worn corner; None without wear."""
+        wear = wear_at(self)
+        return None if wear is None else WornSpot(self, wear)
+
+    @cached_property
     def _height(self) -> Any:
-        return self.let(dot(self._directions[0], self.apart), "height")
+        worn = 0 if self.worn is None else self.worn.depth
+        return self.let(dot(self._directions[0], self.apart) + worn, "height")
 
     @cached_property
     def _ends(self) -> tuple[Any, Any] | None:

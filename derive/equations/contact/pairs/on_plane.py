@@ -13,6 +13,7 @@ from hertzwerk.derive.common.faults import Fault
 from hertzwerk.derive.declare.mechanism.bodies import Direction, Point
 from hertzwerk.derive.declare.mechanism.pair import LENGTH, Pair, in_body
 from hertzwerk.derive.equations.contact.touch import Touch
+from hertzwerk.derive.equations.contact.worn_surfaces import WornSpot, wear_at
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.expressions.algebra.vectors import Vector, add, dot, scale, sub
 from hertzwerk.derive.expressions.parameter import Scalar, Slot
@@ -27,6 +28,7 @@ class SphereOnPlane(Pair):
     plane: Point
     normal: Direction
     kind: ClassVar[str] = "sphere_on_plane"
+    wears: ClassVar[str] = "flat"
     measures: ClassVar[Mapping[str, Slot]] = {"radius": LENGTH}
 
     @property
@@ -127,9 +129,22 @@ class Face(Touch):
         return self.named(self.kin.direction(self.second, self.pair.normal), "direction")
 
     @cached_property
+    def worn(self) -> WornSpot | None:
+        """Flat of a sphere; None without wear."""
+        wear = wear_at(self)
+        return None if wear is None else WornSpot(self, wear)
+
+    @cached_property
     def gap(self) -> Any:
-        """Height over the plane, less the radius."""
-        return self.let(dot(self.normal, self.apart) - sp.sympify(self.pair.first_radius), "gap")
+        """Height over the plane, less the radius, which wear shortens."""
+        radius = sp.sympify(self.pair.first_radius) - (0 if self.worn is None else self.worn.depth)
+        return self.let(dot(self.normal, self.apart) - radius, "gap")
+
+    def faults(self, length: float) -> Iterator[Fault]:
+        """Yield the fault of a sphere that wears and may turn."""
+        yield from super().faults(length)
+        if self.worn is not None:
+            yield from self.worn.faults()
 
 
 class LyingCylinder(Face):

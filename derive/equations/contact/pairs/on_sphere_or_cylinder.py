@@ -13,6 +13,7 @@ from hertzwerk.derive.common.faults import Fault
 from hertzwerk.derive.declare.mechanism.bodies import Direction, Point
 from hertzwerk.derive.declare.mechanism.pair import LENGTH, Pair, in_body
 from hertzwerk.derive.equations.contact.touch import Touch
+from hertzwerk.derive.equations.contact.worn_surfaces import WornContour, wear_at
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.expressions.algebra.vectors import Vector, along, apply, dot, scale, sub, transpose
 from hertzwerk.derive.expressions.parameter import POSITIVE, Scalar, Slot
@@ -155,6 +156,7 @@ class PinInBush(WithClearance):
         "length": Slot.of("m", POSITIVE, law_symbol="L"),
     }
     holds_film: ClassVar[bool] = True
+    wears: ClassVar[str] = "contour"
     labels: ClassVar[tuple[str, str]] = ("pin", "bush")
 
     @property
@@ -209,8 +211,19 @@ class RoundTouch(Touch):
         return self.named(sub(self.apart, scale(along, axis)), "e")
 
     @cached_property
+    def worn(self) -> WornContour | None:
+        """Worn contours of a pin and its bush; None without wear."""
+        wear = wear_at(self)
+        return None if wear is None else WornContour(self, wear)
+
+    @property
+    def stretch(self) -> Any:
+        """Length of the gradient of the penetration [1], beside a worn contour."""
+        return self.worn and self.worn.stretch
+
+    @cached_property
     def _reach(self) -> Any:
-        """Distance of the centres at which contact begins [m]."""
+        """Distance of the centres at which contact begins [m], without wear."""
         if self.pair.inside:
             return sp.sympify(self.pair.clearance)
         return self.let(self.pair.radius_first + self.pair.radius_second, "reach")
@@ -218,26 +231,47 @@ class RoundTouch(Touch):
     @cached_property
     def gap(self) -> Any:
         """(reach^2 - e.e)/(2 reach) inside, its negative outside: smooth through the centre."""
-        reach = self._reach
-        squared = self.let(dot(self.eccentricity, self.eccentricity), "apart_squared")
+        reach = self._reach if self.worn is None else self.let(self._reach + self.worn.counted, "reach")
         sign = 1 if self.pair.inside else -1
-        return self.let(sign * (reach**2 - squared) / (2 * reach), "gap")
+        return self.let(sign * (reach**2 - self.squared) / (2 * reach), "gap")
+
+    @cached_property
+    def squared(self) -> Any:
+        """Squared distance of the centres [m^2]."""
+        return self.let(dot(self.eccentricity, self.eccentricity), "apart_squared")
 
     @cached_property
     def _distance(self) -> Any:
-        return self.let(sp.sqrt(self.let(dot(self.eccentricity, self.eccentricity), "apart_squared")), "distance")
+        return self.let(sp.sqrt(self.squared), "distance")
 
     @cached_property
     def normal(self) -> Vector:
         """Unit vector from the other centre, or inside towards it."""
         sign = -1 if self.pair.inside else 1
-        return self.named(scale(sign / self._distance, self.eccentricity), "normal")
+        exact = scale(sign / self._distance, self.eccentricity) if self.worn is None else self.worn.normal
+        return self.named(exact, "normal")
 
     @cached_property
     def penetration(self) -> Any:
         """Exact penetration, by the distance of the centres [m]."""
         sign = 1 if self.pair.inside else -1
-        return self.let(sign * (self._distance - self._reach), "penetration")
+        reach = self._reach if self.worn is None else self._reach + self.worn.depth
+        return self.let(sign * (self._distance - reach), "penetration")
+
+    @cached_property
+    def penetration_rate(self) -> Any:
+        """Approach speed at the centres; beside a worn contour that along the gradient of the penetration [m/s]."""
+        if self.worn is None:
+            return super().penetration_rate
+        along = dot(self.normal, self.relative_rate)
+        return self.let(self.worn.spin_rate - self.stretch * along, "penetration_rate")
+
+    def faults(self, length: float) -> Iterator[Fault]:
+        """Yield the fault of a pin that wears and may tilt."""
+        yield from super().faults(length)
+        if self.worn is not None and self.worn.wear.first is not None and self.plane_of_motion is None:
+            yield Fault(self.worn.wear.where, f"a pin at {self.pair.name} that may leave the plane of motion", "a pin about one axis, or wear of the bush alone",
+                        "Leave `first` out.")  # fmt: skip
 
     def outputs(self) -> list[tuple[str, str, Any]]:
         """Eccentricity inside, in the axes of the second place; structural zeros are left out."""

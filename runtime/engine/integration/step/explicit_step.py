@@ -118,7 +118,9 @@ def flow(model: EngineModel, contacts: Contacts = BY_MODE) -> Flow:
 def calls_parts(model: EngineModel) -> bool:
     """Return whether the right-hand side calls its parts, contacts as vectors: pays off for many."""
     return (
-        layouts(model).kind is ca.MX and not (model.nl or model.ne or model.loads) and contact_forces(model) is not None
+        layouts(model).kind is ca.MX
+        and not (model.nl or model.ne or model.loads or model.worn)
+        and contact_forces(model) is not None
     )
 
 
@@ -138,7 +140,7 @@ def _flow_of_calls(model: EngineModel, contacts: Contacts) -> Flow:
         a, reactions, *_ = model.function("accelerations").call([t, q, u, f, c])
         if model.has_ledger:
             dz = dz + model.function("ledger")(t, q, u, reactions, c)
-        return ca.vertcat(model.function("coordinate_rates")(*at), a, dz), a, reactions
+        return ca.vertcat(model.coordinate_rates(t, q, u, f, c), a, dz), a, reactions
 
     dy, a, reactions = motion(ca.DM(0), ca.DM.zeros(model.nz))
     normal = rate = stored = ca.DM.zeros(model.k)
@@ -216,7 +218,7 @@ def _flow(model: EngineModel, contacts: Contacts) -> Flow:
         tangential = friction_forces(model, n)(t, q, u, f, grip.along, grip.drift, slipping, grip.sticks, c)
         f += ca.mtimes(grip.along, tangential)
         dz += ca.mtimes(grip.power, tangential)
-    dq = model.function("coordinate_rates")(t, q, u, c)
+    dq = model.coordinate_rates(t, q, u, f, c)
     a, reactions, *multipliers = model.function("accelerations").call([t, q, u, f, c])
     if model.has_ledger:
         dz += model.function("ledger")(t, q, u, reactions, c)
@@ -231,6 +233,10 @@ def _flow(model: EngineModel, contacts: Contacts) -> Flow:
     dy = ca.vertcat(dq, a, dz)
     gap, gap_rate = model.function("gaps")(t, q, u, c)
     gap_acceleration = model.function("gap_accelerations")(t, q, u, a, c)
+    if model.worn and contacts != ():  # surfaces recede in contact
+        gap_rate = ca.jtimes(gap, ca.vertcat(t, y), ca.vertcat(1, dy))
+        second = ca.jtimes(gap_rate, ca.vertcat(t, y), ca.vertcat(1, dy))
+        gap_acceleration = ca.if_else(gap < 0, second, gap_acceleration)
     along = ca.jtimes(forces, ca.vertcat(t, y), ca.vertcat(1, dy)) if contacts != () else ca.SX.zeros(model.k)
     force_rate = ca.if_else(gap < 0, along, 0)  # at zero penetration the derivative of a root is not a number
     if grip is not None:

@@ -126,11 +126,11 @@ def _motion_derivatives(model: EngineModel) -> Any:
     q, u, _ = model.parts(y)
     a, reactions, *multipliers = model.function("accelerations").call([t, q, u, f, c])
     power = model.function("ledger")(t, q, u, reactions, c) if model.has_ledger else ca.SX(model.nz, 1)
-    dq, x = model.function("coordinate_rates")(t, q, u, c), ca.vertcat(y, t)
+    dq, x = model.coordinate_rates(t, q, u, f, c), ca.vertcat(y, t)
     if model.has_function("balance"):  # nothing is driven: no reactions
         by_x, by_f = _implicit_derivatives(model, t, q, u, c, x, f, a, *multipliers)
         by_x = ca.vertcat(ca.jacobian(dq, x), by_x, ca.jacobian(power, x))
-        by_f = ca.vertcat(ca.SX(model.nq, f.numel()), by_f, ca.SX(model.nz, f.numel()))
+        by_f = ca.vertcat(ca.jacobian(dq, f), by_f, ca.SX(model.nz, f.numel()))
         return ca.Function("of_motion", [t, y, f, c], [by_x, by_f])
     dy = ca.vertcat(dq, a, power)
     # without a search for common parts: it finds one in sixty and takes five times as long as the derivatives
@@ -182,7 +182,7 @@ def _linearised(model: EngineModel, contacts: Contacts) -> Any:
     known = [ca.SX.sym("known", value.numel()) for value in quantities]
     symbols = ca.SX.sym("sticks", sticks.numel())
     force, *grip_symbols = known
-    dq = model.function("coordinate_rates")(t, q, u, c)
+    dq = model.coordinate_rates(t, q, u, force, c)
     power = ca.SX(model.nz, 1)
     if grip_symbols:
         along, rates, drift, slipping = grip_symbols
@@ -224,7 +224,7 @@ def _linearised_with_friction(
     power = ca.mtimes(rates, friction)
     if model.has_ledger:
         power += model.function("ledger")(t, q, u, reactions, c)
-    dq, tangential = model.function("coordinate_rates")(t, q, u, c), drift + ca.mtimes(along[: model.nu, :].T, a)
+    dq, tangential = model.coordinate_rates(t, q, u, force, c), drift + ca.mtimes(along[: model.nu, :].T, a)
     stacked, inner = ca.vertcat(dq, a, power, tangential), ca.vertcat(*known)
     changes = [ca.jacobian(stacked, by) for by in (x, inner, friction)]
     of_inner = ca.Function("of_inner", [x, inner, friction, c], ca.cse(changes))
@@ -269,7 +269,7 @@ def _linearised_fed(model: EngineModel, grip: Grips, f: Any, df: Any, dz: Any, a
     power = booked(model, inside, fed.friction)
     if model.has_ledger:
         power += model.function("ledger")(t, q, u, reactions, c)
-    dy, inner = ca.vertcat(model.function("coordinate_rates")(t, q, u, c), a, power), ca.vertcat(*known)
+    dy, inner = ca.vertcat(model.coordinate_rates(t, q, u, fed.f, c), a, power), ca.vertcat(*known)
     of_inner = ca.Function("of_inner", [x, inner, *symbols, c], [ca.jacobian(dy, x), ca.jacobian(dy, inner)])
     direct, mobility = of_inner(x, ca.vertcat(*quantities), grip.sticks, grip.slip, c)
     n = y.numel()

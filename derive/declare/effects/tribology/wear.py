@@ -1,0 +1,122 @@
+"""Wear of a pair by Archard's law: material lost in proportion to normal force and sliding distance."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import sympy as sp
+
+from hertzwerk.derive.common.faults import Fault, one_of
+from hertzwerk.derive.declare.effects.contacts import contact_faults
+from hertzwerk.derive.declare.effects.effect import CONTACT, Declared, Element, Kinematics, PairEffect, State
+from hertzwerk.derive.declare.effects.tribology.lubrication import Lubrication
+from hertzwerk.derive.expressions.parameter import NOT_NEGATIVE, POSITIVE, Scalar, Slot
+
+CONTOUR, FLAT = "contour", "flat"
+"""How a pair wears: around the circles of both surfaces, or at one spot of the first."""
+DEPTH, LOAD_PATH = "depth", "load_path"
+
+
+@dataclass(frozen=True)
+class Wear(PairEffect):
+    """Wear of a pair's surfaces: a specific wear rate k/H times the normal force is the volume lost on a unit of sliding.
+
+    `first` and `second` are the specific wear rates of the two bodies' surfaces, in 1/Pa or mm^3/(N m): k/H of a wear
+    coefficient k [1] and a hardness H [Pa]. What is lost opens the gap where the surfaces touch.
+
+    A pin in its bush, which needs a `length`, loses a depth in each of the `sectors` of its circumference, a power of 2: states
+    `<name>.pin_1`.. and `<name>.bush_1`.. [m], about the axis from the x axis of the place. A sphere or a corner loses
+    `<name>.depth`, over the corner's `area`, or over the sphere's growing flat.
+
+    With an `acceleration` a, the wear of each sliding counts a times: as many repetitions are left out.
+    `<name>.load_path` is the force integrated over the sliding distance [N m], `<name>.volume` what is lost. Archard,
+    J. Appl. Phys. 24 (1953) 981, eq. 3.
+    """
+
+    name: str
+    pair: str
+    first: Scalar | None = None
+    second: Scalar | None = None
+    sectors: int = 32
+    area: Scalar | None = None
+    acceleration: Scalar = 1
+    kind: ClassVar[str] = "wear"
+    enters: ClassVar[str] = CONTACT
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "first": Slot.of("1/Pa", NOT_NEGATIVE),
+        "second": Slot.of("1/Pa", NOT_NEGATIVE),
+        "area": Slot.of("m^2", POSITIVE),
+        "acceleration": Slot.of("1", POSITIVE),
+    }
+
+    @property
+    def text(self) -> str:
+        """Description for people."""
+        return f"Archard's wear at {self.pair}"
+
+    def rates(self, pair: Any) -> dict[str, Any]:
+        """Specific wear rates of the surfaces that wear, by the names of their states."""
+        names = pair.labels if pair.wears == CONTOUR else (DEPTH,)
+        return {name: rate for name, rate in zip(names, (self.first, self.second), strict=False) if rate is not None}
+
+    def depths(self, pair: Any) -> dict[str, list[str]]:
+        """States of each surface that wears, without the effect's name."""
+        numbers = range(1, self.sectors + 1) if pair.wears == CONTOUR else ()
+        return {name: [f"{name}_{k}" for k in numbers] or [name] for name in self.rates(pair)}
+
+    def slots(self, scene: Declared) -> Iterator[Slot]:
+        """Yield its quantities, and the length of the bush."""
+        yield from super().slots(scene)
+        pair = scene.mechanism.pair_named.get(self.pair)
+        if getattr(pair, "wears", "") == CONTOUR and pair.length is not None:
+            yield Slot(f"pair {pair.name}, length", pair.length, "m", POSITIVE)
+
+    def states(self, scene: Declared) -> Iterator[State]:
+        """Yield the depths, and the force integrated over the sliding distance."""
+        pair = scene.mechanism.pair_named.get(self.pair)
+        if pair is None or not pair.wears or not isinstance(self.sectors, int):
+            return  # a fault
+        yield from (State(name, "m") for names in self.depths(pair).values() for name in names)
+        scale = scene.scales
+        yield State(LOAD_PATH, "N m", size=scene.mechanism.total_mass * scale.speed**2 / 2)
+
+    def faults(self, scene: Declared) -> Iterator[Fault]:
+        """Yield faults of a pair that cannot wear, and of what is missing or too much."""
+        yield from contact_faults(self, scene) or super().faults(scene)
+        pair = scene.mechanism.pair_named.get(self.pair)
+        if pair is None:
+            return
+        if not pair.wears:
+            known = [other.name for other in scene.mechanism.pairs if other.wears]
+            yield Fault(self.where, f"pair {self.pair}, a {pair.kind}", one_of(known, "a pin in its bush, a sphere on a plane, a corner on a face"))  # fmt: skip
+            return
+        if self.first is None and self.second is None:
+            yield Fault(self.where, "no specific wear rate", "one of `first` or of `second`")
+        if pair.wears == FLAT:
+            if self.second is not None:
+                yield Fault(self.where, f"a specific wear rate of the second body at {self.pair}", "one of the first alone",
+                            "The face wears along a track, which has no state: leave `second` out.")  # fmt: skip
+            if (self.area is None) != hasattr(pair, "radius"):
+                yield Fault(self.where, "no area" if self.area is None else "an area of a sphere",
+                            "an area for a corner, none for a sphere", "A sphere's flat grows with its depth.")  # fmt: skip
+            return
+        if pair.length is None:
+            yield Fault(f"pair {self.pair}, length", "None", "the length over which the pin touches the bush", "PinInBush(..., length=...)")  # fmt: skip
+        if self.area is not None:
+            yield Fault(self.where, "an area of a pin in its bush", "none", "Its sectors have theirs.")
+        count = self.sectors
+        if not (isinstance(count, int) and count >= 4 and count & (count - 1) == 0):
+            yield Fault(self.where, f"sectors={count!r}", "a power of 2, at least 4")
+        yield from (
+            Fault(self.where, f"film {other.name} at {self.pair} too", "a dry pair", "A film in a worn gap has no law: leave one out.")
+            for other in scene.effects
+            if isinstance(other, Lubrication) and other.pair == self.pair
+        )  # fmt: skip
+
+    def element(self, kin: Kinematics) -> Element:
+        """The volume lost [m^3]; its states rest but in contact, whose forces are known there alone."""
+        volume = sp.sympify(kin.touch(self.pair).worn.volume)
+        still = {state.name: sp.S.Zero for state in self.states(kin.scene)}
+        return Element(outputs=((f"{self.name}.volume", "m^3", volume),), rates=still)

@@ -1,0 +1,43 @@
+"""Sectors of a circle as SymPy objects: shares of a direction in them, and means by these shares."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from hertzwerk.derive.expressions.algebra.functions import NoText
+
+__all__ = ["Mean", "Share", "Shares"]
+
+
+class Shares(NoText):
+    """`Shares(n, order, x, y)`: shares of n sectors in the direction (x, y), a vector, as of `emit.sector_helpers`.
+
+    They are not negative, and their sum is 1; with the order 1 or 2 their derivatives by the direction's angle.
+    """
+
+    nargs = 4
+
+    @classmethod
+    def eval(cls, *_: Any) -> None:
+        """Never evaluate."""
+
+
+class Share(NoText):
+    """`Share(shares, k)`: the share of one sector, a pure number."""
+
+    nargs = 2
+
+    @classmethod
+    def eval(cls, *_: Any) -> None:
+        """Never evaluate."""
+
+
+class Mean(NoText):
+    """`Mean(shares, *values)`: sum of the shares times the values of their sectors."""
+
+    @classmethod
+    def eval(cls, *_: Any) -> None:
+        """Never evaluate."""
+
+    def _eval_is_real(self) -> bool:
+        return True
