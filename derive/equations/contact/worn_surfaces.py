@@ -108,7 +108,7 @@ class WornSpot(Worn):
         return self.specific[DEPTH] * self.wear.acceleration * path
 
     def lost(self, label: str, rate: Any) -> tuple[Sequence[Any], Any]:
-        """Rate of the depth: over a sphere's flat and the spot that Hertz's pressure makes, of radii^2 2 R h and R d."""
+        """Rate of the depth, of a sphere over pi R (2 h + d): its flat and the spot under Hertz's pressure."""
         radius, area = getattr(self.touch.pair, "radius", None), self.wear.area
         if area is None:
             area = self.let(sp.pi * radius * (self.touch.penetration + 2 * self.depth), "area")
@@ -118,7 +118,7 @@ class WornSpot(Worn):
 
 @dataclass(frozen=True)
 class Side:
-    """One surface on the tape: shares of its sectors, depth [m] in the contact's direction, and slope by the angle [m]."""
+    """One surface on the tape: shares of its sectors; depth, and its slope by the angle, where it touches [m]."""
 
     shares: Any
     depth: Any
@@ -130,13 +130,17 @@ class WornContour(Worn):
 
     @cached_property
     def _axis(self) -> Vector:
-        return self.tape.vector(self.touch.kin.direction(self.touch.second, self.touch.pair.axis), f"{self.wear.name}_axis")
+        direction = self.touch.kin.direction(self.touch.second, self.touch.pair.axis)
+        axis: Vector = self.tape.vector(direction, f"{self.wear.name}_axis")
+        return axis
 
     @cached_property
     def _length(self) -> Any:
         """Eccentricity where its direction counts [m]; a fixed length near the centre."""
         least = INNER * sp.sympify(self.touch.pair.clearance) ** 2
-        return self.let(sp.sqrt(self.let(Where(self.touch.squared > least, self.touch.squared, least), "safe_squared")), "length")
+        return self.let(
+            sp.sqrt(self.let(Where(self.touch.squared > least, self.touch.squared, least), "safe_squared")), "length"
+        )
 
     @cached_property
     def _sides(self) -> dict[str, Side]:
@@ -212,7 +216,8 @@ class WornContour(Worn):
 
     def couple(self, force: Any) -> Vector:
         """Couple on the pin of a force along the gradient [N m]."""
-        return self.tape.vector(scale(-force * self._lever, self._axis), f"{self.wear.name}_couple")
+        couple: Vector = self.tape.vector(scale(-force * self._lever, self._axis), f"{self.wear.name}_couple")
+        return couple
 
     def _area(self, label: str) -> Any:
         """Area of a sector [m^2]."""

@@ -10,9 +10,10 @@ __all__ = ["Mean", "Share", "Shares"]
 
 
 class Shares(NoText):
-    """`Shares(n, order, x, y)`: shares of n sectors in the direction (x, y), a vector, as of `emit.sector_helpers`.
+    """`Shares(n, order, x, y)`: shares of n sectors in the direction (x, y), a vector.
 
-    They are not negative, and their sum is 1; with the order 1 or 2 their derivatives by the direction's angle.
+    They are not negative, and their sum is 1; with the order 1 or 2 their derivatives by the direction's angle. The
+    function is that of `emit.sector_helpers`.
     """
 
     nargs = 4

@@ -203,6 +203,8 @@ def inner(model: EngineModel, j: int) -> Rowwise:
             h,
             *((y[:nq], d[:nq], _second(model, s, y, d, c)) for s, y, d in ((t, y0, d0), (t + h, y1, d1))),
         )
+        for row, _ in model.worn:  # by forces, which give no second derivative
+            q[row] = _blend(_CUBIC, x, h, (y0[row], d0[row]), (y1[row], d1[row]))
         others = _blend(_CUBIC, x, h, (y0[nq:], d0[nq:]), (y1[nq:], d1[nq:]))
         contact = model.function(f"contact_{model.pairs[j]}")
         forces.append(contact(t + x * h, q, others[:nu], others[nu:], m, c)[2])

@@ -21,10 +21,10 @@ DEPTH, LOAD_PATH = "depth", "load_path"
 
 @dataclass(frozen=True)
 class Wear(PairEffect):
-    """Wear of a pair's surfaces: a specific wear rate k/H times the normal force is the volume lost on a unit of sliding.
+    """Wear of a pair's surfaces: volume lost by a specific wear rate, normal force and sliding distance.
 
     `first` and `second` are the specific wear rates of the two bodies' surfaces, in 1/Pa or mm^3/(N m): k/H of a wear
-    coefficient k [1] and a hardness H [Pa]. What is lost opens the gap where the surfaces touch.
+    coefficient k [1] and a hardness H [Pa], an expression of two parameters. What is lost opens the gap where they touch.
 
     A pin in its bush, which needs a `length`, loses a depth in each of the `sectors` of its circumference, a power of 2: states
     `<name>.pin_1`.. and `<name>.bush_1`.. [m], about the axis from the x axis of the place. A sphere or a corner loses
@@ -69,13 +69,13 @@ class Wear(PairEffect):
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield its quantities, and the length of the bush."""
         yield from super().slots(scene)
-        pair = scene.mechanism.pair_named.get(self.pair)
+        pair: Any = scene.mechanism.pair_named.get(self.pair)
         if getattr(pair, "wears", "") == CONTOUR and pair.length is not None:
             yield Slot(f"pair {pair.name}, length", pair.length, "m", POSITIVE)
 
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the depths, and the force integrated over the sliding distance."""
-        pair = scene.mechanism.pair_named.get(self.pair)
+        pair: Any = scene.mechanism.pair_named.get(self.pair)
         if pair is None or not pair.wears or not isinstance(self.sectors, int):
             return  # a fault
         yield from (State(name, "m") for names in self.depths(pair).values() for name in names)
@@ -85,12 +85,12 @@ class Wear(PairEffect):
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a pair that cannot wear, and of what is missing or too much."""
         yield from contact_faults(self, scene) or super().faults(scene)
-        pair = scene.mechanism.pair_named.get(self.pair)
+        pair: Any = scene.mechanism.pair_named.get(self.pair)
         if pair is None:
             return
         if not pair.wears:
             known = [other.name for other in scene.mechanism.pairs if other.wears]
-            yield Fault(self.where, f"pair {self.pair}, a {pair.kind}", one_of(known, "a pin in its bush, a sphere on a plane, a corner on a face"))  # fmt: skip
+            yield Fault(self.where, f"pair {self.pair}, a {pair.kind}", one_of(known, "a pin, a sphere or a corner"))
             return
         if self.first is None and self.second is None:
             yield Fault(self.where, "no specific wear rate", "one of `first` or of `second`")
@@ -103,7 +103,8 @@ class Wear(PairEffect):
                             "an area for a corner, none for a sphere", "A sphere's flat grows with its depth.")  # fmt: skip
             return
         if pair.length is None:
-            yield Fault(f"pair {self.pair}, length", "None", "the length over which the pin touches the bush", "PinInBush(..., length=...)")  # fmt: skip
+            way_out = "The length over which both touch: PinInBush(..., length=...)."
+            yield Fault(f"pair {self.pair}, length", "None", "a length, for the area of a sector", way_out)
         if self.area is not None:
             yield Fault(self.where, "an area of a pin in its bush", "none", "Its sectors have theirs.")
         count = self.sectors

@@ -260,7 +260,7 @@ class RoundTouch(Touch):
 
     @cached_property
     def penetration_rate(self) -> Any:
-        """Approach speed at the centres; beside a worn contour that along the gradient of the penetration [m/s]."""
+        """Approach speed at the centres [m/s]; of a worn contour along the gradient of the penetration."""
         if self.worn is None:
             return super().penetration_rate
         along = dot(self.normal, self.relative_rate)
@@ -270,8 +270,8 @@ class RoundTouch(Touch):
         """Yield the fault of a pin that wears and may tilt."""
         yield from super().faults(length)
         if self.worn is not None and self.worn.wear.first is not None and self.plane_of_motion is None:
-            yield Fault(self.worn.wear.where, f"a pin at {self.pair.name} that may leave the plane of motion", "a pin about one axis, or wear of the bush alone",
-                        "Leave `first` out.")  # fmt: skip
+            actual = f"a pin at {self.pair.name} that may leave the plane of motion"
+            yield Fault(self.worn.wear.where, actual, "wear of the bush alone", "Leave `first` out.")
 
     def outputs(self) -> list[tuple[str, str, Any]]:
         """Eccentricity inside, in the axes of the second place; structural zeros are left out."""
