@@ -118,7 +118,7 @@ class WornSpot(Worn):
 
 @dataclass(frozen=True)
 class Side:
-    """One surface on the tape: shares of its sectors; depth, and its slope by the angle, where it touches [m]."""
+    """One surface: shares of its sectors; depth [m] and slope by the angle [m] where it touches."""
 
     shares: Any
     depth: Any
