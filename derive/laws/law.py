@@ -8,7 +8,7 @@ Calling a law binds its parameters, in order or by name; a `Material` fills a pa
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
@@ -441,21 +441,12 @@ class BoundLaw:
         for material in dict.fromkeys(self.materials):
             if material.density is not None:
                 yield Slot(f"{where}, density", material.density, "kg/m^3", POSITIVE)
+            if material.yield_strength is not None:
+                yield Slot(f"{where}, yield strength", material.yield_strength, "Pa", POSITIVE)
         for symbol, kinds in limits.items():
             if symbol not in self.binding and symbol.name in geometry:
                 place = f"{where}, {symbol.meaning} for {self.law.name}"
                 yield Slot(place, geometry[symbol.name], symbol.unit, kinds.get("defined"), kinds.get("recommended"))
-
-
-def speed_limit(bounds: Iterable[BoundLaw]) -> sp.Expr | None:
-    """Approach speed 1e-5 sqrt(E/rho) [m/s] up to which compliant laws hold; None without a known density.
-
-    The least over the materials whose density is known: Johnson's limit of elastic impact, as used by Lankarani &
-    Nikravesh (1994).
-    """
-    materials = dict.fromkeys(m for bound in bounds for m in bound.materials)
-    limits = [sp.Float("1e-5") * sp.sqrt(m.youngs_modulus / m.density) for m in materials if m.density is not None]
-    return sp.Min(*limits) if limits else None
 
 
 # -- laws as notebooks show them: formulas, symbols with units, source -------------------------------------------------

@@ -38,6 +38,7 @@ def program_of_kinds(grouping: Alike) -> Program | None:
         *of_kinds,
         *([motion_functions.ledger(whole)] if grouping.scene.ledger else []),
         *([scale_functions.speed_limits(whole)] if whole.limited else []),
+        *([scale_functions.yield_forces(whole)] if whole.yielding else []),
         *([scale_functions.period(sample)] if sample.periodic is not None else []),
         _landmarks(whole, grouping),
     ]

@@ -45,6 +45,7 @@ def program_of(system: System) -> Program:
         output_functions.poses(system),
         output_functions.outputs(system),
         *([scale_functions.speed_limits(system)] if system.limited else []),
+        *([scale_functions.yield_forces(system)] if system.yielding else []),
         *([scale_functions.rolling_limits(system)] if system.scene.all(RollingWithoutSlip) else []),
         *([scale_functions.period(system)] if system.periodic is not None else []),
         output_functions.landmarks(system),

@@ -28,7 +28,7 @@ from hertzwerk.derive.equations.motion.massless_motions import resistance_faults
 from hertzwerk.derive.equations.motion.reaction_loads import Carried, nonlinear_fault
 from hertzwerk.derive.equations.motion.spanning_tree import Row
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
-from hertzwerk.derive.laws.law import speed_limit
+from hertzwerk.derive.laws.elastic_limits import onset_of_yield, speed_limit
 from hertzwerk.derive.program.program import Function, Result, Tape
 
 
@@ -187,6 +187,14 @@ class System:
         """Pair -> approach speed up to which its law holds, where a density is known."""
         limits = {contact.name: speed_limit(contact.laws) for _, contact, _ in self.contacts}
         return {name: limit for name, limit in limits.items() if limit is not None}
+
+    @cached_property
+    def yielding(self) -> dict[str, Any]:
+        """Pair -> normal force at which it begins to yield, 0 where that is not known; empty where none is."""
+        forces = {c.name: onset_of_yield(c.stiffness, self.scene.geometry(c.name)) for _, c, _ in self.contacts}
+        if all(force is None for force in forces.values()):
+            return {}
+        return {name: sp.S.Zero if force is None else force for name, force in forces.items()}
 
     @cached_property
     def periodic(self) -> Any | None:

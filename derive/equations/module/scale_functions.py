@@ -65,6 +65,17 @@ def speed_limits(system: System) -> Function:
     )
 
 
+def yield_forces(system: System) -> Function:
+    """Normal forces at which surfaces begin to yield."""
+    names, values = tuple(system.yielding), tuple(system.yielding.values())
+    return system.function(
+        "yield_forces",
+        "Normal force at which a surface of each of PAIRS begins to yield; 0 where its yield strength is not known.",
+        "p",
+        Result("forces", names, ("N",) * len(names), values),
+    )
+
+
 def rolling_limits(system: System) -> Function:
     """Coefficients of friction up to which surfaces roll without slip."""
     coefficients = {e.name: e.coefficient for e in system.scene.all(RollingWithoutSlip) if e.coefficient is not None}

@@ -328,11 +328,16 @@ class EngineModel:
         return period if math.isfinite(period) else None  # a drive that stands still has none
 
     def speed_limits(self, bound: BoundParameters) -> np.ndarray:
-        """Return the limits [m/s] of approach speeds by pair (k,), infinite for none; (0,) if all have none."""
+        """Return the limits [m/s] of approach speeds by pair (k,); (0,) if all have none.
+
+        Infinite for none, and where the onset of yield is known.
+        """
         if not self.speed_limited:
             return np.zeros(0)
         limits = np.full(self.k, math.inf)
         limits[[self.pairs.index(pair) for pair in self.speed_limited]] = self.evaluate("speed_limits", bound.p)[0]
+        if self.has_function("yield_forces"):
+            limits[self.evaluate("yield_forces", bound.p)[0] > 0] = math.inf
         return limits
 
     def equations(self) -> Readable:
@@ -456,6 +461,7 @@ _INPUTS = {
     "poses": "t q c",
     "outputs": "t q u c",
     "speed_limits": "p",
+    "yield_forces": "p",
     "rolling_limits": "p",
     "period": "p",
     "landmarks": "p",

@@ -26,8 +26,8 @@ from hertzwerk.runtime.engine.solution.history import Histories, History
 from hertzwerk.runtime.engine.solution.impacts import Impact
 from hertzwerk.runtime.engine.solution.interval_sums import Sums
 from hertzwerk.runtime.engine.solution.outcome import Outcome
-from hertzwerk.runtime.engine.solution.step_observers import Choice, Findings
-from hertzwerk.runtime.engine.solution.step_warnings import left_law, lost_grip
+from hertzwerk.runtime.engine.solution.step_observers import Choice, Findings, Needs
+from hertzwerk.runtime.engine.solution.step_warnings import Validity, beyond_theory, left_law, lost_grip, validity
 from hertzwerk.runtime.system.atomic_files import write_atomically
 from hertzwerk.runtime.system.lazy import cached_property
 from hertzwerk.runtime.system.result_folder import as_path
@@ -93,7 +93,13 @@ class EngineRun:
     def warnings(self) -> tuple[str, ...]:
         """Warnings found in the steps, now that they are read, and known ones."""
         left = left_law(self.model, self.findings.lasting, self.ends)
-        return (*left, *lost_grip(self.model, self.history), *self.known_warnings)
+        return (*beyond_theory(self.validity), *left, *lost_grip(self.model, self.history), *self.known_warnings)
+
+    @cached_property
+    def validity(self) -> tuple[Validity, ...]:
+        """See `Solution.validity`; empty where impacts were not needed."""
+        known = self.history.p if Needs.IMPACTS in self.findings.needs else None
+        return validity(self.model, known, lambda: self.findings.impacts)
 
     def with_warning(self, text: str) -> EngineRun:
         """Return the run with one more warning."""
@@ -180,6 +186,14 @@ class EngineSolution(Histories):
     def warnings(self) -> tuple[str, ...]:
         """Warnings about the run: what to heed."""
         return self.engine.warnings
+
+    @property
+    def validity(self) -> tuple[Validity, ...]:
+        """Checks of the limits of Hertz's theory, over all contacts whose law is Hertz's.
+
+        Empty for a saved run, which has its warnings.
+        """
+        return self.engine.validity
 
     @property
     def t(self) -> np.ndarray:

@@ -129,11 +129,11 @@ class Findings:
     ) -> None:
         self._model, self._duration, self._begin, self.period = model, duration, begin, period
         self._later = Needs.STEPS in needs
-        self._needs = EVERYTHING if self._later else needs
+        self.needs = EVERYTHING if self._later else needs
         self._steps: list[History] = []
-        self._watch = Watch(model) if model.k and Needs.IMPACTS in self._needs and not self._later else None
-        self._choices = Choices() if method == "auto" and Needs.CHOICES in self._needs else None
-        self._lasting = LastingContacts(model) if self._needs and model.latches else None
+        self._watch = Watch(model) if model.k and Needs.IMPACTS in self.needs and not self._later else None
+        self._choices = Choices() if method == "auto" and Needs.CHOICES in self.needs else None
+        self._lasting = LastingContacts(model) if self.needs and model.latches else None
         self._summing = self._new_sums(None) if Needs.SUMS in needs and not self._later else None
 
     def __repr__(self) -> str:
@@ -176,8 +176,8 @@ class Findings:
 
     def _needed(self, need: Needs) -> None:
         """Raise LookupError if something is requested that was not found."""
-        if need not in self._needs:
-            raise LookupError(f"{need.name} of a run that was made for {self._needs}; make it for {need.name} as well")
+        if need not in self.needs:
+            raise LookupError(f"{need.name} of a run that was made for {self.needs}; make it for {need.name} as well")
 
     def _observed(self, observer: AnyObserver) -> AnyObserver:
         for block in self._steps:
@@ -235,7 +235,7 @@ class Findings:
 
     def intervals(self, interval: float | None, reached: float) -> tuple[float, int]:
         """Return length [s] and number of the intervals of `sums`, in a run that got to a time [s]."""
-        if Needs.SUMS in self._needs:
+        if Needs.SUMS in self.needs:
             sums = self.sums(interval)
             return sums.interval, sums.count
         length = self._interval(self._duration - self._begin) if interval is None else interval

@@ -68,6 +68,7 @@ def run_page(
         Section("Pictures", joined(_pictures(run, declared))),
         _accuracy(run),
         _impacts(run, whole),
+        _checked(run),
         Section("Averages", guarded("Averages", partial(_averages, run))),
         scene_sections.parameters(run.engine.model, run.settings.parameters, readable),
         scene_sections.effects(run.engine.model, readable),
@@ -135,6 +136,12 @@ def _horizon(run: EngineSolution) -> str:
 def _heed(run: EngineSolution) -> Section | None:
     texts = [*run.warnings, *run.engine.advice]
     return Section("Warnings", bullets(texts)) if texts else None
+
+
+def _checked(run: EngineSolution) -> Section | None:
+    left = [check._replace(contacts=()) if check.exceeded else check for check in run.validity]
+    texts = [str(check) for check in left if check.contacts or check.unchecked]
+    return Section("Other checks of Hertz's theory", bullets(texts)) if texts else None
 
 
 def _pictures(run: EngineSolution, declared: EngineModel) -> list[Markup]:

@@ -94,7 +94,9 @@ def test_long_tables_say_where_the_whole_is(ball, no_pictures):
         engine=replace(
             ball.engine,
             findings=type(
-                "Many", (), {"impacts": ball.impacts * 250, "energy_residual": None, "choices": (), "lasting": ()}
+                "Many",
+                (),
+                {"impacts": ball.impacts * 250, "energy_residual": None, "choices": (), "lasting": (), "needs": ()},
             )(),
         ),
     )
