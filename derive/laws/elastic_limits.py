@@ -9,10 +9,12 @@ import sympy as sp
 
 from hertzwerk.derive.common.hertzian_laws import LINE, POINT
 from hertzwerk.derive.laws.formulas.stiffness import EFFECTIVE_MODULUS, MATERIALS
+from hertzwerk.derive.laws.formulas.yield_onset import YIELD_PRESSURE, yield_force
 from hertzwerk.derive.laws.law import BoundLaw
 
-POINT_YIELD = sp.Rational(8, 5)  # largest pressure over yield strength where yield begins: Johnson (1985), section 6.1
-LINE_YIELD = sp.Rational(167, 100)  # Tresca; 1.79 by von Mises
+LINE_YIELD = sp.Rational(
+    167, 100
+)  # of the largest pressure over Y, by Tresca: Johnson (1985), section 6.1; 1.79 by von Mises
 
 
 def speed_limit(bounds: Iterable[BoundLaw]) -> sp.Expr | None:
@@ -42,4 +44,4 @@ def onset_of_yield(bound: BoundLaw, geometry: Mapping[str, Any]) -> sp.Expr | No
     strength, modulus = sp.Min(*strengths), EFFECTIVE_MODULUS[1].xreplace(bound.binding)
     if "L" in needs:
         return sp.pi * geometry["R_eff"] * geometry["L"] * (LINE_YIELD * strength) ** 2 / modulus
-    return sp.pi**3 * geometry["R_eff"] ** 2 * (POINT_YIELD * strength) ** 3 / (6 * modulus**2)
+    return yield_force(modulus, geometry["R_eff"], YIELD_PRESSURE * strength)
