@@ -97,7 +97,10 @@ class EngineRun:
 
     @cached_property
     def validity(self) -> tuple[Validity, ...]:
-        """See `Solution.validity`; empty where impacts were not needed."""
+        """Checks of the limits of Hertz's theory, over all contacts whose law is Hertz's.
+
+        Empty where impacts were not needed, and for a saved run, which has its warnings.
+        """
         known = self.history.p if Needs.IMPACTS in self.findings.needs else None
         return validity(self.model, known, lambda: self.findings.impacts)
 
@@ -186,14 +189,6 @@ class EngineSolution(Histories):
     def warnings(self) -> tuple[str, ...]:
         """Warnings about the run: what to heed."""
         return self.engine.warnings
-
-    @property
-    def validity(self) -> tuple[Validity, ...]:
-        """Checks of the limits of Hertz's theory, over all contacts whose law is Hertz's.
-
-        Empty for a saved run, which has its warnings.
-        """
-        return self.engine.validity
 
     @property
     def t(self) -> np.ndarray:

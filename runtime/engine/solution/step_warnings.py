@@ -53,8 +53,9 @@ class Validity(NamedTuple):
         why = [f"{', '.join(self.unchecked)} not checked: {MISSING[self.check]}"] if self.unchecked else []
         if not self.contacts:
             return f"{self.check} of {why[0]}"
-        found, unit, remedy = TEXTS[self.check]
-        text = f"{self.exceeded} of {self.of} contacts of {', '.join(self.contacts)} {found}, {self.limit:.3g} {unit} (worst {self.worst:.3g} times)"
+        limited, unit, remedy = TEXTS[self.check]
+        count = f"{self.exceeded} of {self.of} contacts of {', '.join(self.contacts)}"
+        text = f"{count} {limited}, {self.limit:.3g} {unit} (worst {self.worst:.3g} times)"
         return "; ".join([f"{text}: {remedy}" if self.exceeded else text, *why])
 
 
@@ -88,12 +89,12 @@ def validity(model: EngineModel, p: np.ndarray | None, impacts: Callable[[], Seq
     hertzian = [pair for pair in model.pairs if names[pair] in POINT + LINE and kinds[pair] in OUTSIDE + INSIDE]
     if not hertzian or p is None:
         return ()
-    found = [impact for impact in impacts() if impact.contact in hertzian]
+    compared = [impact for impact in impacts() if impact.contact in hertzian]
     checks = []
     for check, known in _limits(model, p, {pair: names[pair] in LINE for pair in hertzian}).items():
         of = [
             (_excess(check, impact, known[impact.contact]), known[impact.contact])
-            for impact in found
+            for impact in compared
             if impact.contact in known
         ]
         unchecked = [pair for pair in hertzian if pair not in known] if check in MISSING else []

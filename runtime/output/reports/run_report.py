@@ -139,7 +139,7 @@ def _heed(run: EngineSolution) -> Section | None:
 
 
 def _checked(run: EngineSolution) -> Section | None:
-    left = [check._replace(contacts=()) if check.exceeded else check for check in run.validity]
+    left = [check._replace(contacts=()) if check.exceeded else check for check in run.engine.validity]
     texts = [str(check) for check in left if check.contacts or check.unchecked]
     return Section("Other checks of Hertz's theory", bullets(texts)) if texts else None
 

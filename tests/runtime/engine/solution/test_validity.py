@@ -59,7 +59,7 @@ def impact(speed, **scene):
     """The checks of one impact, by name."""
     run = simulate(ball(**scene), duration=0.001 / speed + 3e-4, tolerance=1e-9, parameters={"speed": f"{speed!r} m/s"})
     assert len(run.impacts) == 1
-    return run, {check.check: check for check in run.validity}
+    return run, {check.check: check for check in run.engine.validity}
 
 
 LIMITS = {
@@ -103,14 +103,14 @@ def test_the_longest_solid_of_a_body_is_what_waves_cross():
 def test_laws_that_are_not_hertzs_are_not_compared_and_their_impacts_not_searched():
     model = ball(False, hd.laws.power(hd.Parameter("K", "N/m^1.5", 1e10), 1.5))
     assert validity(model.engine, np.zeros(5), lambda: pytest.fail("searched")) == ()
-    assert simulate(model, duration="1 ms", tolerance=1e-6).validity == ()
+    assert simulate(model, duration="1 ms", tolerance=1e-6).engine.validity == ()
 
 
 @pytest.mark.parametrize("law, line", [("hertz_point", False), ("johnson", True)])
 def test_a_pin_encloses_its_limit_at_the_depth_of_johnsons_law(law, line):
     model = load("slider_crank_line", laws={"slider_pin": law}) if line else "slider_crank"
     run = simulate(model, duration="1 ms", tolerance=1e-6)
-    (found,) = [check for check in run.validity if check.check == "conformity"]
+    (found,) = [check for check in run.engine.validity if check.check == "conformity"]
     outer, apart = 0.010, 0.0005
     inner = outer - apart
     curvature = outer * inner / apart
@@ -137,7 +137,7 @@ def test_every_law_with_an_effective_modulus_is_hertzs_or_known_not_to_be():
 def test_a_saved_run_keeps_its_warnings_and_a_sweep_states_each_once(tmp_path):
     run, _ = impact(60.0)
     saved = Solution.load(run.save(tmp_path / "run.npz"))
-    assert (saved.warnings, saved.validity) == (run.warnings, ())
+    assert (saved.warnings, saved.engine.validity) == (run.warnings, ())
     result = sweep(ball(), {"speed": ["50 m/s", "60 m/s"]}, duration="60 us", tolerance=1e-6, outputs=["impacts"])
     (shared,) = [each for each in result.summary.warnings.values() if "onset of yield" in each.text]
     assert shared.rows == 2 and shared.worst == 1
