@@ -41,6 +41,8 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.runtime.engine.solution.solution import Statistics as Statistics
     from hertzwerk.runtime.analysis.statics.equilibrium import Equilibrium as Equilibrium, equilibrium as equilibrium
     from hertzwerk.runtime.analysis.statics.vibrations import Mode as Mode, Modes as Modes, modes as modes
+    from hertzwerk.runtime.analysis.rigid_limit.rigid_impact import RigidImpact as RigidImpact
+    from hertzwerk.runtime.analysis.rigid_limit.rigid_limit import RigidLimit as RigidLimit, rigid_limit as rigid_limit
     from hertzwerk.runtime.studies.sweeps.batch import simulate_many as simulate_many
     from hertzwerk.runtime.studies.sweeps.parameter_sweep import sweep as sweep
     from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep as Sweep

@@ -35,7 +35,7 @@ ROOMS = {
     "runtime/engine": "accuracy model integration start solution run sensitivity inputs",
     "runtime/engine/integration": "tableaux friction many_pairs step events loop .",
     "runtime/output": "plots drawings films tables reports",
-    "runtime/analysis": "statics effect_study work_precision validation hard_cases",
+    "runtime/analysis": "statics rigid_limit effect_study work_precision validation hard_cases",
     "runtime/studies": "comparison sweeps uncertainty minimisation fitting paper",
     "runtime/studies/sweeps": "points rows .",
 }
@@ -231,6 +231,10 @@ FILE_RINGS = {
         "derive/declare/scene/checks",
         "derive/declare/scene/scene.py",
     ): "a scene checks itself when it is made; its checks name its type",
+    (
+        "runtime/analysis/rigid_limit/plot_rigid_limit.py",
+        "runtime/analysis/rigid_limit/rigid_limit.py",
+    ): "a rigid limit draws itself; its picture names its type",
     (
         "runtime/studies/sweeps/stored_rows.py",
         "runtime/studies/sweeps/sweep_table.py",

@@ -29,6 +29,7 @@ GROUPS = {  # commands by what they are for, each with its file
     "Analyse": {
         "statics": "run_commands.statics",
         "modes": "run_commands.statics",
+        "rigid": "study_commands.rigid",
         "accuracy": "study_commands.accuracy",
         "validate": "run_commands.run",
         "hardcases": "study_commands.hardcases",

@@ -234,6 +234,15 @@ modes(ball, at=T)  ->  at: found array
 modes(run, at="1 s")  ->  at: found '1 s'
 modes(run, parameters={"mass": "1 kg"})  ->  values beside a run
 modes(equilibrium(ball), at=1)  ->  values beside an equilibrium
+rigid_limit(3, RigidImpact(0.5))  ->  target: found 3
+rigid_limit(ball, 0.5, **HOW)  ->  law of floor: found 0.5
+rigid_limit(ball, RigidImpact("half"), **HOW)  ->  half
+rigid_limit(ball, RigidImpact(np.ones(2)), **HOW)  ->  restitution of floor: found array
+rigid_limit(ball, {"flor": RigidImpact(0.5)}, **HOW)  ->  flor
+rigid_limit(ball, RigidImpact(0.5), **HOW, stiffness=3)  ->  3
+rigid_limit(ball, RigidImpact(0.5), **HOW, factors=T)  ->  factors: found array
+rigid_limit(ball, RigidImpact(0.5), **HOW, impacts=2)  ->  impacts: found 2
+rigid_limit(ball, RigidImpact(0.5), duration="1 s", accuracy="high")  ->  accuracy: found 'high'
 compare(run, run)  ->  data: found a run
 compare(run, 3)  ->  data: found 3
 compare(run, "no_such.csv")  ->  no_such.csv
@@ -356,6 +365,7 @@ equilibrium(ball, nearest=True)
 modes("bouncing_ball")
 modes(equilibrium(ball))
 modes(run, at="5 ms")
+rigid_limit(ball, RigidImpact(np.float64(0.5)), **HOW)["vertical.travel"]
 compare("bouncing_ball", wave, tolerance=1e-6, compiled=False, progress=lambda part: None)
 compare(ball, wave, tolerance=1e-6, parameters={"mass": "2 kg"}, noise={"vertical.travel": "1 mm"})
 read_measurement({"t [s]": T, "x [m]": T})

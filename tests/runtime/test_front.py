@@ -12,6 +12,7 @@ from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.scenes.bouncing_ball import scene
 from hertzwerk.runtime import (
     Measurement,
+    RigidImpact,
     compare,
     equilibrium,
     fit,
@@ -21,6 +22,7 @@ from hertzwerk.runtime import (
     minimise,
     modes,
     propagate,
+    rigid_limit,
     simulate,
     simulate_many,
     study_effects,
@@ -54,6 +56,7 @@ CALLS: dict[str, Callable[..., Any]] = {
     "equilibrium": lambda target, **more: equilibrium(target, **more),
     "modes": lambda target, **more: modes(target, **more),
     "study_effects": lambda target, **more: study_effects(target, **SHORT, **more),
+    "rigid_limit": lambda target, **more: rigid_limit(target, RigidImpact(0.5), **SHORT, **more),
 }
 WITHOUT_PROGRESS = {"compare", "equilibrium", "minimise", "modes"}
 

@@ -21,6 +21,7 @@ UNSTATED = {  # options of one value without a default: nothing is done without 
     "modes": "--out",
     "propagate": "--fitted --table --tolerance",
     "report": "--scene",
+    "rigid": "--out",
     "run": "--continue --table",
     "statics": "--out",
     "study": "--measured --resume",

@@ -1,0 +1,170 @@
+"""Equations of motion without contact forces, and the directions in which contacts act.
+
+They follow from a model's own functions: normals from the gap rates, tangents from the sliding velocities, inverse inertia from
+the accelerations, with loops closed. No module is derived for them.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from hertzwerk.derive.common.faults import Fault
+from hertzwerk.runtime.analysis.rigid_limit.rigid_impact import BoundImpact
+from hertzwerk.runtime.engine.integration.step.projection import closing
+from hertzwerk.runtime.engine.model.caller import Callers
+from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
+from hertzwerk.runtime.engine.model.per_model import per_model
+from hertzwerk.runtime.engine.solution.impacts import distances
+from hertzwerk.runtime.system.arrays import Array
+
+OF_CONTACTS = (
+    "rolling_resistance",
+    "drilling_resistance",
+    "lubrication",
+)  # kinds of effects that need a compliant contact
+
+
+@dataclass(frozen=True)
+class State:
+    """Motion without contact forces at an instant; m rows: of each pair its normal, then its tangents.
+
+    rates (nq), free accelerations (nu), pushed (nu, m): accelerations by a unit force along each row; D (m, m) of the rows;
+    velocity (m) along the rows, bias (m): their rates by the free accelerations; gap (k) [m], energy [J].
+    """
+
+    rates: Array
+    free: Array
+    pushed: Array
+    D: Array
+    velocity: Array
+    bias: Array
+    gap: Array
+    energy: float
+
+
+def refused(model: EngineModel) -> list[Fault]:
+    """Return the faults of a scene whose motion depends on more than positions, speeds and contacts."""
+    module, faults = model.module, []
+    if not model.pairs:
+        faults.append(Fault("scene", "no contact pair", "a scene with contacts"))
+    resisting = [name for name, kind, _ in module.EFFECTS if kind in OF_CONTACTS]
+    others = {
+        "inputs": list(model.inputs),
+        "events of effects": [row[0] for row in module.EVENTS],
+        "forces that depend on reactions": [row[0] for row in (*module.LOADS, *module.RUBBING)],
+        "rolling constraints": [row[0] for row in module.ROLLING],
+        "resistance and films of contacts": resisting,
+    }
+    for kind, names in others.items():
+        if names:
+            faults.append(Fault("scene", f"{kind}: {', '.join(map(str, names))}", "bodies, springs, drives and contacts alone",
+                                "leave the effect out: load(..., without=[...])"))  # fmt: skip
+    return faults
+
+
+def tangent_faults(model: EngineModel, laws: list[BoundImpact]) -> list[Fault]:
+    """Return the faults of friction where a pair has no tangents."""
+    lacking = [pair for pair, law, n in zip(model.pairs, laws, _tangents(model), strict=True) if law.mu > 0 and not n]
+    if not lacking:
+        return []
+    return [Fault(f"friction of {', '.join(lacking)}", "no tangents along which it could act",
+                  "pairs with a friction effect: any law in the plane, coulomb in space")]  # fmt: skip
+
+
+@per_model
+def _tangents(model: EngineModel) -> list[int]:
+    """Return the number of tangents of each pair along which its sliding velocity is linear in the speeds."""
+    t, q, u, c = model.symbols("t q u c")
+    return [x.numel() if ca.is_linear(x, u) else 0 for x in _sliding(model, t, q, u, c)]
+
+
+def _sliding(model: EngineModel, t: ca.SX, q: ca.SX, u: ca.SX, c: ca.SX) -> list[ca.SX]:
+    """Return the sliding velocities of each pair: none, one or two."""
+    z, m = ca.SX.zeros(model.nz), ca.SX.zeros(model.nm)
+    return [model.function(f"contact_{pair}")(t, q, u, z, m, c)[3] for pair in model.pairs]
+
+
+@per_model
+def _equations(model: EngineModel) -> Callers:
+    """Build the function (t, q, u, c) -> fields of `State`."""
+    t, q, u, c = symbols = model.symbols("t q u c")
+    f = model.symbols("f")[0]
+    rates = model.function("coordinate_rates")(t, q, u, c)
+    gap, gap_rate = model.function("gaps")(t, q, u, c)
+    sliding = _sliding(model, t, q, u, c)
+    velocity = ca.vertcat(
+        *(ca.vertcat(gap_rate[j], sliding[j] if count else ca.SX(0, 1)) for j, count in enumerate(_tangents(model)))
+    )
+    R = ca.jacobian(velocity, u)
+    forces = model.function("applied")(t, q, u, c)
+    free = model.function("accelerations")(t, q, u, forces, c)[0]
+    inverse = ca.substitute(ca.jacobian(model.function("accelerations")(t, q, u, f, c)[0], f), f, forces)
+    pushed = ca.mtimes(inverse[:, : model.nu], R.T)
+    bias = ca.mtimes(R, free) + ca.jtimes(velocity, ca.vertcat(t, q), ca.vertcat(1, rates))
+    energies = model.function("energy")(t, q, u, c)[:2] if model.has_function("energy") else [ca.SX(math.nan)]
+    results = [rates, free, pushed, ca.mtimes(R, pushed), velocity, bias, gap, ca.sum1(ca.vertcat(*energies))]
+    return Callers(ca.Function("rigid", symbols, [ca.densify(x) for x in ca.cse(results)]))
+
+
+@per_model
+def distance_of(model: EngineModel) -> Callers:
+    """Build the function (t, q, c) -> distances (k,) of the surfaces of each pair, negative inside."""
+    t, q, u, c = model.symbols("t q u c")
+    gap = model.function("gaps")(t, q, u, c)[0]
+    apart = distances(model, {"t": t, "y": ca.vertcat(q, u), "gap": gap}, c)
+    return Callers(ca.Function("distance", [t, q, c], [ca.densify(ca.substitute(apart, u, ca.SX.zeros(model.nu)))]))
+
+
+class Equations:
+    """Equations of a model with numbers."""
+
+    def __init__(self, model: EngineModel, bound: BoundParameters) -> None:
+        self.model, self._c, self._evaluate = model, bound.c, _equations(model)
+        self.rows, first = [], 0  # of each pair's normal, and of its tangents
+        for count in _tangents(model):
+            self.rows.append((first, tuple(range(first + 1, first + 1 + count))))
+            first += 1 + count
+        self._m = first
+        self._closing = closing(model)
+
+    def at(self, t: float, y: Array) -> State:
+        """Return the motion at a time and state y = (q, u)."""
+        model, m = self.model, self._m
+        shapes = ((model.nq,), (model.nu,), (model.nu, m), (m, m), (m,), (m,), (model.k,), (1,))
+        results = self._evaluate(t, y[: model.nq], y[model.nq :], self._c)
+        parts: list[Any] = [np.asarray(x).reshape(shape) for x, shape in zip(results, shapes, strict=True)]
+        parts[-1] = float(parts[-1][0])
+        return State(*parts)
+
+    def closed(self, t: float, y: Array, normals: list[int], held: list[int], gaps: list[int]) -> Array:
+        """Return a state on its constraints: of loops, gaps of pairs, velocities along rows, unit quaternions.
+
+        The corrections are the least in kinetic energy.
+        """
+        model, y = self.model, y.copy()
+        for first in model.quaternions:
+            y[first : first + 4] /= np.linalg.norm(y[first : first + 4])
+        if self._closing is not None:
+            whole = np.concatenate([y, np.zeros(model.nz)])
+            y = np.array(self._closing.function(t, whole, self._c)[0]).ravel()[: len(y)]
+        if normals:
+            at = self.at(t, y)
+            moved = at.pushed[:, normals] @ np.linalg.lstsq(at.D[np.ix_(normals, normals)], -at.gap[gaps])[0]
+            y[: model.nq] += self._moves(t, y, moved)
+        if held:
+            at = self.at(t, y)
+            y[model.nq :] += at.pushed[:, held] @ np.linalg.lstsq(at.D[np.ix_(held, held)], -at.velocity[held])[0]
+        return y
+
+    def _moves(self, t: float, y: Array, moved: Array) -> Array:
+        """Return the changes of the coordinates by changes along the speeds."""
+        q = y[: self.model.nq]
+        still = np.zeros(self.model.nu)
+        (by, without) = (self.model.evaluate("coordinate_rates", t, q, u, self._c)[0] for u in (moved, still))
+        change: Array = by - without
+        return change

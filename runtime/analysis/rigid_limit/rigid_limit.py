@@ -1,0 +1,290 @@
+"""Rigid limit of a scene, and compliant runs beside it with ever stiffer contacts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.markup import heading, joined, table, tag
+from hertzwerk.runtime.analysis.rigid_limit.rigid_equations import Equations, distance_of, refused, tangent_faults
+from hertzwerk.runtime.analysis.rigid_limit.rigid_impact import RigidImpact, read_impacts
+from hertzwerk.runtime.analysis.rigid_limit.rigid_run import Accumulation, Motion, RigidImpulse, RigidRun
+from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.engine.run.run_request import Settings, is_real, progress_faults, read
+from hertzwerk.runtime.engine.solution.outcome import REACHED_END, Outcome
+from hertzwerk.runtime.engine.start.start_values import stated_values
+from hertzwerk.runtime.loading import Target, engine_model
+from hertzwerk.runtime.simulation import Solution, simulate
+from hertzwerk.runtime.system.arrays import Array
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+TOGETHER, IN_TURN = "together", "in turn"
+SHOWN = 8  # impacts of a table
+ROUNDING = 1e-9  # of the duration: a smaller difference of onsets shows no order
+
+
+@dataclass(frozen=True)
+class StifferRun:
+    """Compliant run with a stiffness times a factor.
+
+    apart    difference [s] of each impact's onset from the rigid one's, as long as the impacts are those of the same pairs
+    """
+
+    factor: float
+    run: Solution
+    apart: Array
+
+
+@dataclass(frozen=True)
+class RigidLimit(Mapping[str, Array]):
+    """Rigid limit of a scene: a mapping from coordinates and speeds to their values at `t`, in SI.
+
+    impulses, accumulations    impacts, and the ends of sequences of ever shorter flights
+    t (n,) [s], energy (n,) [J]    at the ends of steps, and before and after each impact; energy is nan without an `EnergyLedger`
+    rubbed    energy that friction dissipates between impacts [J]
+    stiffer    compliant runs of the scene, by growing stiffness
+    """
+
+    model: EngineModel
+    c: Array
+    outcome: Outcome
+    motion: Motion
+    law: Mapping[str, RigidImpact]
+    stiffness: str
+    stiffer: tuple[StifferRun, ...] = ()
+
+    def __getitem__(self, name: str) -> Array:
+        return np.array(self.motion.y)[:, self._place(name)]
+
+    def _place(self, name: str) -> int:
+        names = [*self]
+        if name not in names:
+            raise InputError(self.model.name, [unknown("coordinate or speed", name, names)])
+        return names.index(name)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter((*self.model.coordinates, *self.model.speeds))
+
+    def __len__(self) -> int:
+        return len(self.model.coordinates) + len(self.model.speeds)
+
+    @property
+    def t(self) -> Array:
+        """Times [s] (n,)."""
+        return np.array(self.motion.t)
+
+    @property
+    def energy(self) -> Array:
+        """Kinetic and potential energy [J] (n,)."""
+        return np.array(self.motion.energy)
+
+    @property
+    def impulses(self) -> tuple[RigidImpulse, ...]:
+        """Impacts, in the order of their times."""
+        return tuple(self.motion.impulses)
+
+    @property
+    def accumulations(self) -> tuple[Accumulation, ...]:
+        """Ends of sequences of impacts, at which a contact comes to rest."""
+        return tuple(self.motion.accumulations)
+
+    @property
+    def rubbed(self) -> float:
+        """Energy that friction dissipates between impacts [J]."""
+        return self.motion.rubbed
+
+    @property
+    def lost(self) -> float:
+        """Energy that impacts take up [J]."""
+        return math.fsum(impulse.lost for impulse in self.impulses)
+
+    @property
+    def balance(self) -> float:
+        """Energy [J] by which the motion misses its balance; it contains the work of drives."""
+        return float(self.energy[-1] - self.energy[0]) + self.lost + self.rubbed
+
+    def at(self, name: str, times: Sequence[float] | Array) -> Array:
+        """Return a coordinate or speed at times [s] within the run, after an impact at the same instant."""
+        return self.motion.at(np.atleast_1d(np.asarray(times, dtype=float)))[:, self._place(name)]
+
+    def gaps(self, times: Array) -> Array:
+        """Return the gaps [m] (n, k) of all pairs at times [s] (n,)."""
+        states, distance = self.motion.at(times), distance_of(self.model)
+        gaps: Array = np.array([distance(t, y[: self.model.nq], self.c)[0] for t, y in zip(times, states, strict=True)])
+        return gaps
+
+    @property
+    def orders(self) -> list[float]:
+        """Observed orders of convergence by impact, nan where unknown.
+
+        The onsets differ by the stiffness to the power -order, between the two stiffest runs.
+        """
+        if len(self.stiffer) < 2:
+            return []
+        soft, stiff = self.stiffer[-2:]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            count = min(len(soft.apart), len(stiff.apart))
+            ratio = np.log(np.abs(soft.apart[:count] / stiff.apart[:count])) / math.log(stiff.factor / soft.factor)
+        moved = np.abs(soft.apart[:count]) > ROUNDING * self.t[-1]
+        orders: list[float] = np.where(moved, ratio, math.nan).tolist()
+        return orders
+
+    @property
+    def lines(self) -> list[str]:
+        """Outcome, energies and ends of sequences of impacts, a sentence each."""
+        count = len(self.impulses)
+        lines = [
+            f"{self.model.name}, rigid limit: {self.outcome.name}, {self.outcome.message}",
+            f"{count} impact{'' if count == 1 else 's'}, which take up {self.lost:.6g} J; friction between them {self.rubbed:.6g} J",
+        ]
+        by_pair = groupby(sorted(self.accumulations, key=lambda x: x.contact), key=lambda x: x.contact)
+        for name, ends in by_pair:
+            times = [end.t for end in ends]
+            more = "" if len(times) == 1 else f", and {len(times) - 1} more"
+            lines.append(f"{name}: impacts accumulate at t = {times[0]:.9g} s{more}, and the contact lasts from there")
+        if self.stiffer:
+            lines.append(
+                f"compliant runs have multiples of {self.stiffness}; each onset is later than the rigid one, by it to the power -order"
+            )
+        return lines if self.outcome.finished else [*lines, self.outcome.remedy]
+
+    @property
+    def rows(self) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+        """Heading and rows of a table: the first impacts, and how much later the compliant ones begin."""
+        head = ("contact", "t [s]", "approach [m/s]", "separation [m/s]",
+                *(f"x{each.factor:g}, later by" for each in self.stiffer), *(["order"] if self.orders else []))  # fmt: skip
+        rows = []
+        for i, impulse in enumerate(self.impulses[:SHOWN]):
+            apart = (
+                f"{0 if abs(each.apart[i]) < ROUNDING * self.t[-1] else each.apart[i]:.3g} s"
+                if i < len(each.apart)
+                else ""
+                for each in self.stiffer
+            )
+            known = i < len(self.orders) and not math.isnan(self.orders[i])
+            order = [f"{self.orders[i]:.3f}" if known else ""] if self.orders else []
+            speeds = f"{impulse.speed:.6g}", f"{abs(impulse.separation):.6g}"
+            rows.append((impulse.contact, f"{impulse.t:.9g}", *speeds, *apart, *order))
+        return head, rows
+
+    def __str__(self) -> str:
+        head, rows = self.rows
+        widths = [max(len(row[i]) for row in (head, *rows)) for i in range(len(head))]
+        lines = ["  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)) for row in (head, *rows)]
+        return "\n".join([*self.lines, *(lines if rows else [])])
+
+    def _repr_html_(self) -> str:
+        head = heading(self.model.name, self.outcome.name, ": rigid limit", good=self.outcome.finished)
+        return joined([head, *(tag("p", text) for text in self.lines[1:]), table(*self.rows)])
+
+    def plot(self) -> Figure:
+        """Draw gap, energy and, with stiffer runs, the convergence of the impacts' onsets."""
+        from hertzwerk.runtime.analysis.rigid_limit import plot_rigid_limit
+
+        return plot_rigid_limit.figure(self)
+
+    def record(self) -> dict[str, Any]:
+        """Return everything but the histories as plain data."""
+        return {
+            "scene": self.model.name,
+            "outcome": vars(self.outcome),
+            "law": {pair: vars(law) for pair, law in self.law.items()},
+            "impacts": [impulse._asdict() for impulse in self.impulses],
+            "accumulations": [end._asdict() for end in self.accumulations],
+            "energy": [float(self.energy[0]), float(self.energy[-1])],
+            "lost": self.lost,
+            "rubbed": self.rubbed,
+            "stiffness": self.stiffness,
+            "stiffer": [
+                {"factor": each.factor, "outcome": each.run.outcome.name, "apart": each.apart.tolist()}
+                for each in self.stiffer
+            ],
+            "orders": [None if math.isnan(order) else order for order in self.orders],
+        }
+
+
+def rigid_limit(
+    target: Target,
+    law: RigidImpact | Mapping[str, RigidImpact],
+    *,
+    duration: str | float | None = None,
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
+    impacts: str = TOGETHER,
+    stiffness: str = "",
+    factors: Sequence[float] = (1, 10, 100),
+    tolerance: float = 1e-10,
+    accuracy: float = 1e-6,
+    progress: Callable[[float], object] | None = None,
+) -> RigidLimit:
+    """Run a scene with rigid contacts: impacts at an instant, and constraints while contacts last.
+
+    target      a scene or a Model, as `simulate` takes it; its contact forces are left out, all else acts
+    law         a `RigidImpact` for all contact pairs, or one for each by name
+    duration, parameters, initial    as `simulate` takes them
+    impacts     of contacts that touch at one time: "together", all impulses at once, or "in turn", one by one, the fastest first
+    stiffness   a parameter: compliant runs with its value times each of `factors` stand beside the rigid one
+    tolerance   local tolerance of the rigid run, which has no error estimate; accuracy    of the compliant ones
+    progress    a function that is called now and then with the fraction done
+
+    Sequences of impacts with ever shorter flights end at their limit, and the contact lasts from there, until its force would pull. The
+    outcome is "no_rigid_solution" where friction and restitution admit no impulses or forces, as in Painleve's paradox. Scenes with
+    inputs, events of effects, or forces that depend on reactions are refused. Raises InputError with every fault.
+    """
+    model: EngineModel = engine_model(target)
+    faults = [*refused(model), *progress_faults(progress)]
+    values, wanted = stated_values(model, parameters, initial, faults)
+    if impacts not in (TOGETHER, IN_TURN):
+        faults.append(Fault("impacts", shown(impacts), f'"{TOGETHER}" or "{IN_TURN}"'))
+    if stiffness and stiffness not in model.parameters:
+        faults.append(unknown("parameter", stiffness, model.parameters))
+    sound = isinstance(factors, list | tuple) and all(is_real(factor) and factor > 0 for factor in factors)
+    if not sound or list(factors) != sorted(set(factors)):
+        faults.append(Fault("factors", shown(factors), "numbers above zero that grow, such as (1, 10, 100)"))
+    settings = Settings(duration, accuracy, None)
+    faults += settings.faults()
+    laws = read_impacts(model, law, model.check(values)[0], faults)
+    faults += tangent_faults(model, laws)
+    request, _ = read(model, Settings(duration, None, tolerance), values, wanted, faults)
+    report = progress or (lambda _: None)
+    share = 1 / (1 + len(factors)) if stiffness else 1.0
+    run = RigidRun(
+        Equations(model, request.bound), laws, list(model.pairs), impacts == TOGETHER, request.scales.scene[:3],
+        request.scales.state[: model.nq + model.nu], tolerance, request.seconds, lambda part: report(share * part),
+    )  # fmt: skip
+    motion = run.run(np.concatenate([request.q, request.u]))
+    stiffer = []
+    for i, factor in enumerate(factors if stiffness else ()):
+        value = request.bound.values[stiffness]
+        softer = {**values, stiffness: (value[0] * factor, value[1])}
+        compliant = simulate(model, duration=duration, parameters=softer, initial=wanted, accuracy=accuracy)
+        stiffer.append(StifferRun(float(factor), compliant, _apart(motion, compliant)))
+        report(share * (i + 2))
+    outcome = motion.outcome
+    early = [each for each in stiffer if each.run.outcome.name not in REACHED_END]
+    if outcome.finished and early:
+        first = early[0].run.outcome
+        outcome = Outcome(
+            first.name, f"the run with {stiffness} times {early[0].factor:g}: {first.message}", first.remedy
+        )
+    of_pairs = law if isinstance(law, Mapping) else dict.fromkeys(model.pairs, law)
+    return RigidLimit(model, request.bound.c, outcome, motion, of_pairs, stiffness, tuple(stiffer))
+
+
+def _apart(motion: Motion, run: Solution) -> Array:
+    """Return the differences [s] of onsets from the rigid ones, as long as the same pairs collide."""
+    apart = []
+    for impact, impulse in zip(run.impacts, motion.impulses, strict=False):
+        if impact.contact != impulse.contact:
+            break
+        apart.append(impact.t - impulse.t)
+    return np.array(apart)

@@ -1,0 +1,253 @@
+"""Rigid contacts against closed forms: impacts, sequences of impacts, sliding, sticking, lift-off, the limit of stiffness."""
+
+import math
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import hertzwerk.derive as hd
+from hertzwerk import load
+from hertzwerk.derive import (
+    GROUND,
+    Contact,
+    EnergyLedger,
+    Friction,
+    Gravity,
+    Mechanism,
+    Parameter,
+    Planar,
+    Scales,
+    Scene,
+    Start,
+    X,
+    Y,
+    laws,
+)
+from hertzwerk.derive.common.faults import InputError
+from hertzwerk.runtime import RigidImpact, rigid_limit
+
+G = 9.81
+MU = Parameter("mu", "1", 0.3)
+
+
+def scene(body, joint, pairs, *, start, mu=MU, gravity=-Y):
+    frictions = (
+        [Friction(f"{pair.name}_friction", pair.name, laws.coulomb(mu, mu)) for pair in pairs] if mu is not None else []
+    )
+    contacts = [Contact(pair.name, laws.power(Parameter("K", "N/m^1.5", 1e9), 1.5)) for pair in pairs]
+    scales = Scales(
+        length=Parameter("length", "m", 1e-3), speed=Parameter("speed", "m/s", 1), arm=Parameter("arm", "m", 0.1)
+    )
+    effects = (Gravity("gravity", Parameter("g", "m/s^2", G), direction=gravity), *contacts, *frictions, EnergyLedger())
+    return Scene(
+        Mechanism(f"{body.name}_scene", joints=(joint,), pairs=pairs), effects=effects, start=start, scales=scales
+    )
+
+
+def thrown_ball(*, space):
+    m, r = Parameter("mass", "kg", 1), Parameter("radius", "m", 0.1)
+    inertia = 2 * m * r**2 / 5
+    ball = hd.Body("ball", mass=m, inertia=(inertia,) * 3 if space else inertia)
+    joint = hd.Free("fly", GROUND, ball) if space else Planar("fly", GROUND, ball)
+    floor = hd.SphereOnPlane("floor", ball.at(0, 0, 0), r, GROUND.at(0, 0, 0), normal=Y)
+    speed = {
+        "fly.x_speed": Parameter("along", "m/s", 3),
+        **({"fly.z_speed": Parameter("across", "m/s", 4)} if space else {}),
+    }
+    position = {"fly.y": Parameter("height", "m", 1.1), **({"fly.q0": 1} if space else {})}
+    return scene(ball, joint, (floor,), start=Start(position=position, speed=speed))
+
+
+def block(start_angle, *, half_width=0.25, half_height=1.0):
+    b, h, m = (
+        Parameter("half_width", "m", half_width),
+        Parameter("half_height", "m", half_height),
+        Parameter("mass", "kg", 2),
+    )
+    body = hd.Body("block", mass=m, inertia=m * (b**2 + h**2) / 3)
+    foot = hd.BoxOnPlane("foot", body.at(0, 0, 0), 2 * b, 2 * h, GROUND.at(0, 0, 0), normal=Y)
+    tilt = Parameter("tilt", "rad", start_angle)
+    mechanism = Mechanism("block", joints=(Planar("fly", GROUND, body),), pairs=(foot,))
+    start = Start(
+        position={"fly.angle": tilt, "fly.y": h * sp.cos(tilt) + b * sp.sin(tilt)},
+        speed={"fly.x_speed": Parameter("push", "m/s", 0)},
+    )
+    return scene(body, mechanism.joints[0], mechanism.pairs, start=start)
+
+
+def test_ball_comes_to_rest_at_the_sum_of_its_flights():
+    e, first = 0.3, math.sqrt(2 / G)
+    run = rigid_limit("bouncing_ball", RigidImpact(e), duration="1 s")
+    assert run.outcome.finished
+    (end,) = run.accumulations
+    assert end.t == pytest.approx(first * (1 + e) / (1 - e), rel=1e-9)
+    flights = np.diff([impulse.t for impulse in run.impulses[:10]])
+    assert flights == pytest.approx(2 * first * e ** np.arange(1, 10), rel=1e-10)
+    assert run.lost == pytest.approx(G, rel=1e-12)  # all of m g h
+    assert abs(run.balance) < 1e-10 * G
+    assert run.at("vertical.travel", [0.99]) == pytest.approx([0.1], abs=1e-12)
+    (other,) = rigid_limit("bouncing_ball", RigidImpact(e + 1e-6), duration="1 s").accumulations
+    assert abs(other.t / end.t - 1) > 1e-6  # what the comparison above would see
+
+
+@pytest.mark.parametrize("space", [False, True])
+def test_ball_thrown_onto_a_rough_floor_slides_then_rolls(space):
+    mu, e = 0.1, 0.5
+    run = rigid_limit(thrown_ball(space=space), RigidImpact(e, "mu"), duration="1.5 s", parameters={"mu": mu})
+    first = run.impulses[0]
+    speed = math.sqrt(2 * G)
+    assert (first.speed, first.separation) == pytest.approx((speed, e * speed), rel=1e-10)
+    assert first.tangential_impulse == pytest.approx(mu * (1 + e) * speed, rel=1e-10)  # it slides throughout
+    along, across = (run[f"fly.{axis}_speed"][-1] if axis in "x" or space else 0.0 for axis in "xz")
+    assert (along, across) == pytest.approx((5 / 7 * 3, 5 / 7 * 4 if space else 0), rel=1e-9)  # rolling keeps 5/7
+    assert abs(run.balance) < 1e-10 * run.energy[0]
+    held = rigid_limit(thrown_ball(space=space), RigidImpact(e, 5.0), duration="0.5 s").impulses[0]
+    slip = math.hypot(3, 4 if space else 0)
+    assert held.tangential_impulse == pytest.approx(2 / 7 * slip, rel=1e-10)  # it sticks within the impact
+
+
+def test_block_that_rocks_loses_what_housner_states():
+    run = rigid_limit(block(0.1), RigidImpact(0.0, 5.0), duration="1.5 s")
+    kept = (
+        1 - 1.5 * math.sin(math.atan(0.25)) ** 2
+    )  # Housner, Bull. Seismol. Soc. Am. 53 (1963) 403: of the angular speed
+    assert [impulse.contact for impulse in run.impulses] == ["foot_2", "foot_1"]
+    for impulse in run.impulses:
+        before, *_, after = run["fly.angle_speed"][run.t == impulse.t]
+        assert after / before == pytest.approx(kept, rel=1e-12)
+    assert abs(run.balance) < 1e-9 * run.energy[0]
+
+
+def test_bead_leaves_a_dome_at_two_thirds_of_its_height():
+    big, small, angle = Parameter("R", "m", 1), Parameter("r", "m", 0.25), Parameter("angle", "rad", 0.3)
+    bead = hd.Body("bead", mass=Parameter("mass", "kg", 1), inertia=Parameter("inertia", "kg m^2", 1))
+    dome = hd.SphereOnSphere("dome", bead.at(0, 0, 0), GROUND.at(0, 0, 0), small, big)
+    begin = Start(position={"fly.x": (big + small) * sp.sin(angle), "fly.y": (big + small) * sp.cos(angle)})
+    run = rigid_limit(
+        scene(bead, Planar("fly", GROUND, bead), (dome,), start=begin, mu=None), RigidImpact(0.0), duration="1 s"
+    )
+    heights = run["fly.y"] / np.hypot(run["fly.x"], run["fly.y"])
+    (leaves,) = {height for t, height in zip(run.t, heights, strict=True) if np.count_nonzero(run.t == t) > 1}
+    assert leaves == pytest.approx(2 / 3 * math.cos(0.3), rel=1e-9)
+
+
+def test_body_on_an_incline_stops_and_stays():
+    slope, mu, push = 0.2, 0.3, 0.5
+    m, r = Parameter("mass", "kg", 1), Parameter("radius", "m", 0.1)
+    body = hd.Body("runner", mass=m)
+    joint = hd.Prismatic("along", GROUND, hd.Body("carriage", 0), axis=X)
+    lift = hd.Prismatic("lift", joint.child, body, axis=Y)
+    floor = hd.SphereOnPlane("floor", body.at(0, 0, 0), r, GROUND.at(0, 0, 0), normal=Y)
+    effects = (
+        Gravity("gravity", Parameter("g", "m/s^2", G), direction=hd.Direction((-math.sin(slope), -math.cos(slope), 0))),
+        Contact("floor", laws.power(Parameter("K", "N/m^1.5", 1e9), 1.5)), Friction("rubbing", "floor", laws.coulomb(MU, MU)),
+    )  # fmt: skip
+    start = Start(position={"lift": r}, speed={"along": Parameter("push", "m/s", push)})
+    scales = Scales(length=Parameter("length", "m", 1e-3), speed=Parameter("speed", "m/s", 1))
+    incline = Scene(
+        Mechanism("incline", joints=(joint, lift), pairs=(floor,)), effects=effects, start=start, scales=scales
+    )
+    run = rigid_limit(incline, RigidImpact(0.0, "mu"), duration="0.3 s")
+    deceleration = G * (math.sin(slope) + mu * math.cos(slope))
+    assert run["along.travel"][-1] == pytest.approx(push**2 / 2 / deceleration, rel=1e-9)
+    assert run["along.speed"][-1] == 0
+    assert run.rubbed == pytest.approx(mu * G * math.cos(slope) * push**2 / 2 / deceleration, rel=1e-9)
+    slides = rigid_limit(incline, RigidImpact(0.0, 0.1), duration="0.3 s")  # less than tan(slope): it slides back
+    up = G * (math.sin(slope) + 0.1 * math.cos(slope))
+    down = G * (math.sin(slope) - 0.1 * math.cos(slope))
+    assert slides["along.speed"][-1] == pytest.approx(-down * (0.3 - push / up), rel=1e-8)
+
+
+@pytest.mark.parametrize(("impacts", "after"), [("together", (-1 / 3, 2 / 3, 2 / 3)), ("in turn", (0, 0, 1))])
+def test_row_of_touching_balls_follows_the_stated_rule(impacts, after):
+    m, r = Parameter("mass", "kg", 1), Parameter("radius", "m", 0.1)
+    balls = [hd.Body(f"ball_{i}", mass=m) for i in range(3)]
+    joints = tuple(hd.Prismatic(f"slide_{i}", GROUND, ball, axis=X) for i, ball in enumerate(balls))
+    pairs = tuple(hd.SphereOnSphere(f"gap_{i}", balls[i].at(0, 0, 0), balls[i + 1].at(0, 0, 0), r, r) for i in range(2))
+    contacts = tuple(Contact(pair.name, laws.power(Parameter("K", "N/m^1.5", 1e9), 1.5)) for pair in pairs)
+    start = Start(
+        position={"slide_0": -5 * r, "slide_1": 0 * r, "slide_2": 2 * r},
+        speed={"slide_0": Parameter("speed", "m/s", 1)},
+    )
+    row = Scene(Mechanism("row", joints=joints, pairs=pairs), effects=(*contacts, EnergyLedger()), start=start,
+                scales=Scales(length=Parameter("length", "m", 1e-3), speed=Parameter("pace", "m/s", 1)))  # fmt: skip
+    run = rigid_limit(row, RigidImpact(1.0), duration="0.5 s", impacts=impacts)
+    assert [run[f"slide_{i}.speed"][-1] for i in range(3)] == pytest.approx(after, abs=1e-12)
+    assert abs(run.balance) < 1e-12
+
+
+def test_painleves_rod_is_refused_by_name():
+    half, m = Parameter("half_length", "m", 0.5), Parameter("mass", "kg", 1)
+    rod = hd.Body("rod", mass=m, inertia=m * half**2 / 3)
+    tip = hd.CornerOnFace("tip", rod.at(-half, 0, 0), GROUND.at(0, 0, 0), Y)
+    angle = Parameter("angle", "rad", 1.1)
+    start = Start(
+        position={"fly.angle": angle, "fly.y": half * sp.sin(angle)},
+        speed={"fly.x_speed": Parameter("push", "m/s", -1)},
+    )
+    jammed = scene(rod, Planar("fly", GROUND, rod), (tip,), start=start)
+
+    def opens(mu):  # of the tip by a newton, times the mass: 1 + 3 cos^2 - 3 mu sin cos, as for Painleve's rod
+        return 1 + 3 * math.cos(1.1) ** 2 - 3 * mu * math.sin(1.1) * math.cos(1.1)
+
+    outcome = rigid_limit(jammed, RigidImpact(0.0, 1.5), duration="0.01 s").outcome
+    assert opens(1.5) < 0
+    assert outcome.name == "no_rigid_solution"
+    assert "tip" in outcome.message
+    assert "Painleve" in outcome.message
+    assert opens(1.2) > 0
+    assert rigid_limit(jammed, RigidImpact(0.0, 1.2), duration="0.01 s").outcome.finished
+
+
+def test_compliant_impacts_converge_with_the_stiffness():
+    exact = load("bouncing_ball", laws={"floor": "exact"})
+    law = RigidImpact("restitution")
+    limit = rigid_limit(
+        exact, law, duration="1.5 s", stiffness="stiffness", factors=(0.1, 1, 10), parameters={"restitution": 0.8}
+    )
+    assert limit.orders[1:] == pytest.approx([0.4], rel=1e-3)  # a contact of F = K d^1.5 lasts as K^-0.4 (Hertz)
+    assert "0.400" in str(limit)
+    late = [each.apart[1] for each in limit.stiffer]
+    assert late == sorted(late, reverse=True)
+
+
+def test_slider_crank_converges_impact_by_impact():
+    crank = load("slider_crank", laws={"slider_pin": "exact"})
+    limit = rigid_limit(
+        crank, RigidImpact("restitution", "friction_coefficient"), duration="1.1 ms", stiffness="youngs_modulus",
+        parameters={"clearance": "0.5 mm"},
+    )  # fmt: skip
+    assert limit.outcome.finished
+    for impact in (1, 2):
+        late = [abs(each.apart[impact]) for each in limit.stiffer]
+        assert late[0] > 2 * late[1] > 4 * late[2]
+
+
+def test_poisson_and_newton_agree_without_friction():
+    runs = [
+        rigid_limit("bouncing_ball", RigidImpact(0.5, rule=rule), duration="1.2 s") for rule in ("newton", "poisson")
+    ]
+    first, second = ([impulse.separation for impulse in run.impulses] for run in runs)
+    assert first == pytest.approx(second, rel=1e-12)
+
+
+def test_bad_input_lists_every_fault():
+    with pytest.raises(InputError) as error:
+        rigid_limit(
+            "bouncing_ball",
+            RigidImpact(1.5, "mas", "stokes"),
+            duration="1 s",
+            impacts="at will",
+            stiffness="K",
+            factors=(3, 2),
+        )
+    text = str(error.value)
+    for fault in ("restitution of floor", "mas", "stokes", "impacts", "factors", "K:"):
+        assert fault in text
+    with pytest.raises(InputError, match="no tangents"):
+        rigid_limit("bouncing_ball", RigidImpact(0.5, 0.1), duration="1 s")
+    with pytest.raises(InputError, match="floor"):
+        rigid_limit("bouncing_ball", {}, duration="1 s")
+    with pytest.raises(InputError, match="no contact pair"):
+        rigid_limit("pendulum", RigidImpact(0.5), duration="1 s")
