@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -77,7 +78,7 @@ def _number(
     model: EngineModel, bound: BoundParameters | None, where: str, value: object, highest: float, faults: list[Fault]
 ) -> float:
     """Return a number from 0 to `highest`, or a parameter's value; bad input is appended to `faults`."""
-    read = value
+    read: Any = value
     if isinstance(value, str):
         without = [name for name, port in model.parameters.items() if port.unit == "1"]
         if value not in without:

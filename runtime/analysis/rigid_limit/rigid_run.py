@@ -100,6 +100,7 @@ class RigidRun:
     ways: list[Array] = field(default_factory=list)  # directions of sliding
     motion: Motion = field(default_factory=Motion)
     largest: float = 0.0  # force [N] so far
+    last: tuple[float, int | None] = (-1.0, None)  # time and pair of the last event
 
     def run(self, y: Array) -> Motion:
         """Return the motion from a state."""
@@ -109,9 +110,9 @@ class RigidRun:
             y = self._settled(t, y)
             self._keep(t, y)
             while t < self.duration:
-                t, y, hit = self._moved(t, y)
+                t, y, ended = self._moved(t, y)
                 if t < self.duration:
-                    y = self._settled(t, y, hit)
+                    y = self._settled(t, y, ended)
                     self._keep(t, y)
                 if len(motion.impulses) > MOST_IMPACTS:
                     motion.outcome = Outcome("too_many_impacts", f"{MOST_IMPACTS:,} impacts by t = {t:.9g} s",
@@ -132,12 +133,16 @@ class RigidRun:
 
     # -- at an instant -------------------------------------------------------------------------------------------------
 
-    def _settled(self, t: float, y: Array, hit: int | None = None) -> Array:
+    def _settled(self, t: float, y: Array, ended: int | None = None) -> Array:
         """Return the state after all impacts at an instant, with the modes in which the motion goes on.
 
-        hit    pair that has just closed
+        ended    pair whose mode has just ended. Where it does again at the same instant, the forces there lie on the limit of the mode: a
+                 contact that pressed lifts off, and one that stuck slides.
         """
         length, speed, _ = self.scale
+        hit = ended if ended is not None and self.mode[ended] == OPEN else None
+        left = self.mode[ended] if ended is not None and hit is None and self.last == (t, ended) else OPEN
+        self.last = (t, ended)
         at = self.equations.at(t, y)
         normals = [n for n, _ in self.equations.rows]
         touching = [j for j, n in enumerate(normals) if j == hit or self.mode[j] != OPEN or (
@@ -147,26 +152,28 @@ class RigidRun:
             at = self.equations.at(t, y)
             y, at = self._accumulated(t, y, at, touching)
         resting = [j for j in touching if abs(at.velocity[normals[j]]) <= STILL * speed]
-        self._decide(at, resting)
+        if ended is not None and left == SLIDES:
+            resting.remove(ended)
+        self._decide(at, resting, ended if left == STICKS else None)
         return self._onto(t, y)
 
-    def _hit(self, t: float, y: Array, touching: Sequence[int], *, plastic: bool = False) -> Array:
+    def _hit(self, t: float, y: Array, touching: Sequence[int]) -> Array:
         """Return the state after the impulses of contacts that touch."""
         speed, normals = self.scale[1], [n for n, _ in self.equations.rows]
-        if self.together or plastic:
-            return self._impulse(t, y, touching, plastic=plastic)
+        if self.together:
+            return self._impulse(t, y, touching)
         for _ in range(MOST_IMPACTS):
             velocity = self.equations.at(t, y).velocity
             fastest = min(touching, key=lambda j: float(velocity[normals[j]]))
             if velocity[normals[fastest]] >= -STILL * speed:
                 return y
-            y = self._impulse(t, y, [fastest], plastic=plastic)
+            y = self._impulse(t, y, [fastest])
         raise NoSolutionError(fastest, "impacts one by one do not come to an end")
 
-    def _impulse(self, t: float, y: Array, hit: Sequence[int], *, plastic: bool) -> Array:
+    def _impulse(self, t: float, y: Array, hit: Sequence[int]) -> Array:
         """Return the state after the impulses of some contacts, kept in the motion's list."""
         at, nq = self.equations.at(t, y), self.equations.model.nq
-        e = [0.0 if plastic else self.laws[j].e for j in hit]
+        e = [self.laws[j].e for j in hit]
         newton = [0.0 if self.laws[j].poisson else part for j, part in zip(hit, e, strict=True)]
         chosen, contacts = self._contacts(hit)
         D, v = at.D[np.ix_(chosen, chosen)], at.velocity[chosen]
@@ -226,8 +233,11 @@ class RigidRun:
         y = self.equations.closed(t, y, [], [self.equations.rows[j][0] for j in ended], [])
         return y, self.equations.at(t, y)
 
-    def _decide(self, at: State, resting: Sequence[int]) -> None:
-        """Set the modes of all contacts, from the forces that those at rest along the normal need."""
+    def _decide(self, at: State, resting: Sequence[int], slips: int | None = None) -> None:
+        """Set the modes of all contacts, by the forces that those at rest along the normal need.
+
+        slips    pair that may not stick
+        """
         self.mode = [OPEN] * len(self.names)
         if not resting:
             return
@@ -248,7 +258,9 @@ class RigidRun:
             most, held = one.mu * forces[one.n], float(np.linalg.norm(forces[rows]))
             if not rows or not one.mu or way is not None:
                 self.mode[j], self.ways[j] = SLIDES, np.zeros(len(rows)) if way is None or not one.mu else way
-            elif held < most * (1 - 1e-9) or np.linalg.norm(rates[rows]) <= FORCE / 2 * self.largest * D[one.n, one.n]:
+            elif (j != slips or not held) and (
+                held < most * (1 - 1e-9) or np.linalg.norm(rates[rows]) <= FORCE / 2 * self.largest * D[one.n, one.n]
+            ):
                 self.mode[j] = STICKS
             else:
                 self.mode[j], self.ways[j] = SLIDES, -forces[rows] / held
@@ -297,7 +309,7 @@ class RigidRun:
         return self.equations.closed(t, y, normals, [*normals, *tangents], closed)
 
     def _moved(self, t: float, y: Array) -> tuple[float, Array, int | None]:
-        """Move until an event or the end; return time, state, and the pair that closes, if one does."""
+        """Move until an event or the end; return time, state, and the pair whose mode ends, if one does."""
         from scipy.integrate import DOP853  # slow to import
 
         solver = DOP853(self._rates, t, y, self.duration, rtol=self.tolerance, atol=self.tolerance * self.sizes,
@@ -321,8 +333,8 @@ class RigidRun:
             if solver.status == "finished":
                 return solver.t, solver.y, None
 
-    def _first_event(self, dense: Any) -> tuple[float, int | None] | None:
-        """Return the first time within a step at which the modes end, with the pair that closes, if one does."""
+    def _first_event(self, dense: Any) -> tuple[float, int] | None:
+        """Return the first time within a step at which a mode ends, with its pair; None where none does."""
         times = np.linspace(dense.t_old, dense.t, PARTS + 1)
         before = self._margins(times[0], dense)
         for left, right in pairwise(times.tolist()):
@@ -333,8 +345,7 @@ class RigidRun:
                 for at in self._crossing(dense, j, left, right, before[j], after[j])
             ]
             if crossings:
-                at, j = min(crossings)
-                return at, j if self.mode[j] == OPEN else None
+                return min(crossings)
             before = after
         return None
 

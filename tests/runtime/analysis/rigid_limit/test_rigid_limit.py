@@ -251,3 +251,24 @@ def test_bad_input_lists_every_fault():
         rigid_limit("bouncing_ball", {}, duration="1 s")
     with pytest.raises(InputError, match="no contact pair"):
         rigid_limit("pendulum", RigidImpact(0.5), duration="1 s")
+
+
+def test_constraints_hold_and_coordinates_agree():
+    times = []
+    for coordinates in ("tree", "absolute"):
+        run = rigid_limit(load("four_bar_clearance", coordinates=coordinates), RigidImpact(0.5), duration="2 ms")
+        model, y = run.model, run.motion.y[-1]
+        if coordinates == "absolute":
+            phi, _ = model.evaluate("constraints", run.t[-1], y[: model.nq], y[model.nq :], run.c)
+            assert np.max(np.abs(phi)) < 1e-12
+        times.append([impulse.t for impulse in run.impulses])
+    assert len(times[0]) > 2
+    assert times[0] == pytest.approx(times[1], rel=1e-8)
+
+
+@pytest.mark.slow
+def test_contact_whose_force_ends_at_the_instant_of_an_event_lifts_off():
+    """A pin in a slot of a Geneva wheel: the event of its force was answered at one instant for ever."""
+    run = rigid_limit("geneva_drive", RigidImpact(0.5), duration="0.16 s")
+    assert run.outcome.finished
+    assert len(run.accumulations) > 0
