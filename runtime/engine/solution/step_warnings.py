@@ -74,6 +74,12 @@ TEXTS = {
         "waves keep energy; fit the restitution to measured impacts",
     ),
 }  # fmt: skip
+BEYOND = {  # the same in a word
+    "yield": ("yield", "take an elastic-plastic law"),
+    "width": ("are wide", "fit `power` to measured impacts"),
+    "conformity": ("conform", "take `persson`"),
+    "waves": ("are short for waves", "fit the restitution to measured impacts"),
+}
 MISSING = {"yield": "no yield strength", "waves": "no density"}
 
 
@@ -153,8 +159,16 @@ def _longest(names: Sequence[str], mark: np.ndarray) -> float:
 
 
 def beyond_theory(checks: Sequence[Validity]) -> Iterator[str]:
-    """Yield one warning for each check that contacts exceed."""
-    yield from (str(check._replace(unchecked=())) for check in checks if check.exceeded)
+    """Yield one warning of all checks that contacts exceed."""
+    exceeded = [check for check in checks if check.exceeded]
+    if exceeded:
+        pairs = ", ".join(dict.fromkeys(pair for check in exceeded for pair in check.contacts))
+        counts = ", ".join(
+            f"{check.exceeded} of {check.of} {BEYOND[check.check][0]} (worst {check.worst:.2g} times)"
+            for check in exceeded
+        )
+        remedies = ", ".join(dict.fromkeys(BEYOND[check.check][1] for check in exceeded))
+        yield f"contacts of {pairs} exceed limits of Hertz's theory: {counts}; {remedies}"
 
 
 def left_law(model: EngineModel, lasting: Sequence[Lasting], ends: History) -> Iterator[str]:

@@ -139,9 +139,8 @@ def _heed(run: EngineSolution) -> Section | None:
 
 
 def _checked(run: EngineSolution) -> Section | None:
-    left = [check._replace(contacts=()) if check.exceeded else check for check in run.engine.validity]
-    texts = [str(check) for check in left if check.contacts or check.unchecked]
-    return Section("Other checks of Hertz's theory", bullets(texts)) if texts else None
+    texts = [*map(str, run.engine.validity)]
+    return Section("Checks of Hertz's theory", bullets(texts)) if texts else None
 
 
 def _pictures(run: EngineSolution, declared: EngineModel) -> list[Markup]:
