@@ -145,6 +145,7 @@ if TYPE_CHECKING:  # the list of public names
         Prismatic as Prismatic,
         Revolute as Revolute,
     )
+    from hertzwerk.derive.declare.mechanism.joints.flexible_rod import FlexibleRod as FlexibleRod
     from hertzwerk.derive.declare.mechanism.joints.free import Free as Free
     from hertzwerk.derive.declare.mechanism.joints.joint import Freedom as Freedom, Joint as Joint
     from hertzwerk.derive.declare.mechanism.joints.planar import Planar as Planar

@@ -29,7 +29,7 @@ ROOMS = {
     "derive/expressions": "algebra dimension .",
     "derive/program": ". emit",
     "derive/declare": "mechanism effects scene",
-    "derive/equations": "motion contact module equal_parts inverse_dynamics .",
+    "derive/equations": "flexible motion contact module equal_parts inverse_dynamics .",
     "derive/equations/contact": ". pairs",
     "derive/exchange": "user_files sympy_models readable_equations law_sheets",
     "runtime/engine": "accuracy model integration start solution run sensitivity inputs",

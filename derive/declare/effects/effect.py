@@ -218,6 +218,9 @@ class Kinematics(Moving, Turning, Protocol):
     def speed(self, key: str) -> Any:
         """Rate of the coordinate [rad/s or m/s]."""
 
+    def motion_of_freedom(self, freedom: Freedom) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+        """Coordinates and speeds of a freedom."""
+
     def state(self, name: str) -> Any:
         """State of an effect, `motor.current`."""
 

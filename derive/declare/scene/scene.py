@@ -20,11 +20,13 @@ from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.derive.declare.effects.contacts import Contact, Friction
 from hertzwerk.derive.declare.effects.drives import AnyDrive
 from hertzwerk.derive.declare.effects.effect import Effect, PairEffect, State
+from hertzwerk.derive.declare.effects.elasticity.rod_elasticity import RodElasticity
 from hertzwerk.derive.declare.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.declare.effects.state_expression import Input, inputs_in
 from hertzwerk.derive.declare.effects.tracking import AddedCount, Junctions, uncounted_angles
 from hertzwerk.derive.declare.effects.tribology.rolling_resistance import PairResistance
 from hertzwerk.derive.declare.mechanism.bodies import GROUND, Body, Frame
+from hertzwerk.derive.declare.mechanism.joints.flexible_rod import FlexibleRod
 from hertzwerk.derive.declare.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.declare.mechanism.mechanism import Mechanism
 from hertzwerk.derive.declare.mechanism.outline import Outline
@@ -75,7 +77,7 @@ class Scene:
         if isinstance(self.effects, tuple) and isinstance(self.mechanism, Mechanism) and self.mechanism.parts:
             object.__setattr__(self, "effects", tuple(self._at_parts()))
         if isinstance(self.effects, tuple) and isinstance(self.mechanism, Mechanism):
-            object.__setattr__(self, "effects", (*self.effects, *self._junctions()))
+            object.__setattr__(self, "effects", (*self.effects, *self._junctions(), *self._rods()))
         if isinstance(self.name, str) and not self.name:
             object.__setattr__(self, "name", getattr(self.mechanism, "name", "scene"))
         faults = faults_of(self)
@@ -114,6 +116,14 @@ class Scene:
                     and name not in known
                 ):
                     yield Junctions(name, joint.name, len(curve.pieces), curve.closed)
+
+    def _rods(self) -> Iterator[RodElasticity]:
+        """Yield the elasticity of each flexible rod."""
+        known = [effect.name for effect in self.effects if isinstance(effect, Effect)]
+        for joint in self.mechanism.joints if isinstance(self.mechanism.joints, tuple) else ():
+            name = f"{getattr(joint, 'name', '')}_elasticity"
+            if isinstance(joint, FlexibleRod) and name not in known:
+                yield RodElasticity(name, joint)
 
     # -- variations ------------------------------------------------------------------------------------------------
 
@@ -259,7 +269,7 @@ class Scene:
     @cached_property
     def carrying(self) -> tuple[str, ...]:
         """Joints whose reaction can be read: those that carry their body along two directions or more."""
-        return tuple(j.name for j in self.mechanism.joints if j.freedoms and len(j.sliding) < 2)
+        return tuple(j.name for j in self.mechanism.joints if j.freedoms and len(j.sliding) < 2 and not j.bends)
 
     @cached_property
     def held(self) -> tuple[str, ...]:

@@ -66,9 +66,9 @@ class Start:
                 for port in ports:
                     value = _value_of(values, port.name, freedom)
                     if value is not None:
-                        named = port.name if freedom.kind == "ball" else freedom.key
+                        named = port.name if freedom.kind in ("ball", "bend") else freedom.key
                         yield Slot(f"start, {quantity} of {named}", value, port.unit)
 
 
 def _value_of(values: Mapping[str, Scalar], name: str, freedom: Freedom) -> Any:
-    return values.get(name, None if freedom.kind == "ball" else values.get(freedom.key))
+    return values.get(name, None if freedom.kind in ("ball", "bend") else values.get(freedom.key))

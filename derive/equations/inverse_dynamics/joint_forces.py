@@ -125,6 +125,9 @@ class Forces:
             force = self.tape.vector(sub(weight, self._wrench(body, "force")), f"{name}_needs")
             turning = add(self.inertia(body, alpha), cross(w, self.inertia(body, w)))
             moment = add(sub(turning, self._wrench(body, "moment")), cross(sub(centre, place), force))
+            for end in (link for link in kin.tree.links if link.kind == "bend" and link.joint.parent.body == body):
+                bent, twisted = self._of_bending(end)
+                force, moment = add(force, bent), add(moment, twisted, cross(sub(kin.frame_origin(body), place), bent))
             for beyond in (other for other in tree if other.parent.body == body):
                 further, twist = transmitted[beyond]
                 there, _, _ = kin.point(beyond.child, f"{beyond.name}_child")
@@ -132,8 +135,29 @@ class Forces:
             transmitted[joint] = self.tape.vector(force, f"{name}_passes"), self.tape.vector(moment, f"{name}_twists")
         return transmitted
 
+    def _of_bending(self, end: Any) -> tuple[Vector, Vector]:
+        """Force, and moment about its start, that a rod needs beyond those that it needs while straight."""
+        kin, start = self.kin, end.joint.parent
+        motion, back = kin.motion(start.body), transpose(kin.rotation(start.body))
+        _, _, acceleration = kin.point(start, f"{end.joint.name}_start")
+        w, alpha, falling = (
+            self.tape.vector(apply(back, vector), f"{end.joint.name}_own_{label}")
+            for vector, label in (
+                (motion.angular_velocity, "spin"),
+                (motion.angular_acceleration, "angular_acceleration"),
+                (sub(acceleration, self.gravity), "falling"),
+            )
+        )
+        needed = end.rod.needed(w, alpha, falling, [row.acceleration for row in end.rows])
+        force, moment = (
+            kin.of_rod(end, vector, label) for vector, label in zip(needed, ("needs", "needs_moment"), strict=True)
+        )
+        return force, moment
+
     def reaction(self, joint: Joint) -> tuple[Vector, Vector]:
         """Force and moment on the child of a joint, about the child's point: without those along its freedoms."""
+        if joint.bends:
+            return self._transmitted[joint]
         if joint in self._transmitted:
             return self._without_freedoms(joint, *self._transmitted[joint])
         return self._of_closure(joint)

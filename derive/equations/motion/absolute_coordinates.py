@@ -96,7 +96,7 @@ def absolute(scene: Scene) -> Absolute:
         if prescribed:
             still.append(joint.child.body)
         guides = joint.name in scene.held and bool(joint.sliding)
-        if prescribed or not joint.freedoms or (at_ground and (joint.absolute or guides)):
+        if prescribed or not joint.freedoms or joint.bends or (at_ground and (joint.absolute or guides)):
             carried.append(joint)
             continue
         carried.append(_base(mechanism, joint, guides))
@@ -282,7 +282,9 @@ def quaternion_of(kin: Kinematics, body: Frame) -> Quaternion:
     total = quaternion_of(kin, joint.parent.body)
     steps = [_of_turn(axis.unit, angle) for axis, angle in joint.parent.turns]
     for link in kin.tree.links:
-        if link.joint is joint and link.freedom is not None and link.kind != "slide":
+        if link.joint is joint and link.kind == "bend":
+            steps += [_of_turn(axis, angle) for axis, angle in link.rod.angles]
+        elif link.joint is joint and link.freedom is not None and link.kind != "slide":
             axis = link.freedom.axis
             steps.append(link.coordinates if axis is None else _of_turn(axis.unit, link.coordinates[0]))
     steps += [_of_turn(axis.unit, -sp.sympify(angle)) for axis, angle in reversed(joint.child.turns)]

@@ -21,7 +21,7 @@ from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.equations.motion.multipliers import Loops
 from hertzwerk.derive.equations.motion.recursion import Recursion
 from hertzwerk.derive.equations.motion.spanning_tree import Link, Row
-from hertzwerk.derive.expressions.algebra.vectors import ZERO, Vector, add, cross, dot, scale
+from hertzwerk.derive.expressions.algebra.vectors import ZERO, Vector, add, cross, dot, scale, total
 from hertzwerk.derive.program.elimination import Factor
 
 # of the multipliers: with constrained.SOFTNESS, minimises the sum of the errors by singularity and by rounding
@@ -63,6 +63,8 @@ class Equations:
         """Mass matrix entries of a link's rows with themselves and the rows of the links below, by keys."""
         entries: dict[tuple[str, str], Any] = {}
         parts = self.recursion
+        if link.kind == "bend":
+            return self._bent_columns(link)
         for i, (row, axis) in enumerate(zip(link.rows, self.recursion.axes(link), strict=True)):
             name = row.key.replace(".", "_")
             slides = link.kind == "slide"
@@ -75,16 +77,50 @@ class Equations:
                 torque = cross(parts.moment(link), axis) if slides else parts.inertia(link).apply(axis)
             else:
                 torque = ZERO
-            here = link
-            while here.parent is not None and here.parent.parent is not None:
-                # resolved in the axes of the parent's run
-                arm = parts.arm(here)
-                force = self.tape.vector(here.change.out(force), f"{name}_{here.name}_force")
-                torque = self.tape.vector(add(here.change.out(torque), cross(arm, force)), f"{name}_{here.name}_torque")
-                here = here.parent
-                for other, along in zip(here.rows, self.recursion.axes(here), strict=True):
-                    value = dot(along, force if here.kind == "slide" else torque)
-                    entries[row.key, other.key] = self.tape.let(value, f"M_{name}_{other.key.replace('.', '_')}")
+            entries |= self._passed(row, link, force, torque)
+        return entries
+
+    def _passed(
+        self, row: Row, here: Link, force: Vector, torque: Vector, at_start: tuple[Vector, Vector] = (ZERO, ZERO)
+    ) -> dict[tuple[str, str], Any]:
+        """Entries of a row with those of the links below, of the momentum at its unit speed.
+
+        at_start  momentum and angular momentum of a rod that ends here, about the O of its link
+        """
+        parts, name, entries = self.recursion, row.key.replace(".", "_"), {}
+        while here.parent is not None and here.parent.parent is not None:
+            # resolved in the axes of the parent's run
+            arm = parts.arm(here)
+            force = self.tape.vector(here.change.out(force), f"{name}_{here.name}_force")
+            torque = self.tape.vector(add(here.change.out(torque), cross(arm, force)), f"{name}_{here.name}_torque")
+            force, torque = add(force, at_start[0]), add(torque, at_start[1])
+            here, at_start = here.parent, (ZERO, ZERO)
+            for other, value in zip(here.rows, self._along(here, force, torque), strict=True):
+                entries[row.key, other.key] = self.tape.let(value, f"M_{name}_{other.key.replace('.', '_')}")
+        return entries
+
+    def _along(self, link: Link, force: Vector, torque: Vector) -> list[Any]:
+        """Shares of a force and of a moment about O in each row of a link."""
+        if link.kind == "bend":
+            return [dot(slide, force) + dot(turn, torque) for turn, slide in self.recursion.screws(link)]
+        return [dot(along, force if link.kind == "slide" else torque) for along in self.recursion.axes(link)]
+
+    def _bent_columns(self, link: Link) -> dict[tuple[str, str], Any]:
+        """As `_columns`, of a rod's shapes: of the bodies at its end, and of its own."""
+        entries: dict[tuple[str, str], Any] = {}
+        parts, rod = self.recursion, link.rod
+        out = parts.of_start(link)
+        for i, (row, (turn, slide)) in enumerate(zip(link.rows, parts.screws(link), strict=True)):
+            name = row.key.replace(".", "_")
+            moment = parts.moment(link)
+            force = self.tape.vector(add(scale(parts.mass(link), slide), cross(turn, moment)), f"{name}_end_force")
+            torque = self.tape.vector(add(cross(moment, slide), parts.inertia(link).apply(turn)), f"{name}_end_torque")
+            for j, (other, value) in enumerate(zip(link.rows[: i + 1], self._along(link, force, torque), strict=False)):
+                own = total(value, rod.mass_of(i, j))
+                entries[row.key, other.key] = self.tape.let(own, f"M_{name}_{other.key.replace('.', '_')}")
+            push = self.tape.vector(out.out(rod.pushes[i]), f"{name}_push")
+            twist = add(out.out(rod.twists[i]), cross(parts.start_arm(link), push))
+            entries |= self._passed(row, link, force, torque, (push, twist))
         return entries
 
     def _mass_matrix(self) -> dict[tuple[str, str], Any]:
@@ -99,6 +135,9 @@ class Equations:
     def bias(self, row: Row) -> Any:
         """Generalised inertia force at zero generalised accelerations [N m or N]."""
         link, parts = self.link_of[row], self.recursion
+        if link.kind == "bend":
+            i, force = link.rows.index(row), add(scale(parts.mass(link), parts.bias(link)), parts.force(link))
+            return total(self._along(link, force, parts.torque(link))[i], parts.row_bias(link, i))
         axis = self._axis_of(row)
         if link.kind != "slide":
             return dot(axis, parts.torque(link))
@@ -112,7 +151,13 @@ class Equations:
 
     def gravity(self, row: Row) -> Any:
         """Generalised force of gravity; 0 where the scene has none [N m or N]."""
-        link, axis = self.link_of[row], self._axis_of(row)
+        link = self.link_of[row]
+        if link.kind == "bend":
+            i, pull = link.rows.index(row), self._pull(link)
+            weight, moment = scale(self.recursion.mass(link), pull), cross(self.recursion.moment(link), pull)
+            back = self.recursion.of_start(link).back(self._pull(link.parent))
+            return total(self._along(link, weight, moment)[i], dot(link.rod.pushes[i], back))
+        axis = self._axis_of(row)
         if link.kind == "slide":
             return dot(self._pull(link), scale(self.recursion.mass(link), axis))
         return dot(self._pull(link), cross(axis, self.recursion.moment(link)))
@@ -167,7 +212,7 @@ class Equations:
         Along long paths it is found link by link, else by elimination, leaves first: to eliminate a chain from its end
         keeps the zeros of the branches.
         """
-        if self._longest_path() > LONG_PATH:
+        if self._longest_path() > LONG_PATH and not any(link.kind == "bend" for link in self.links):
             return Articulated(self.recursion, self.artificial_inertia)
         artificial = {(key, key): value for key, value in self.artificial_inertia.items()}
         return Factor(self.tape, [row.key for row in self.free][::-1], {**self.mass_matrix(), **artificial})
@@ -237,12 +282,17 @@ class Equations:
     def kinetic_of(self, links: Iterable[Link]) -> Any:
         """Kinetic energy of some links [J]."""
         half, parts, tape = sp.Rational(1, 2), self.recursion, self.tape
-        total: list[Any] = []
+        energy: list[Any] = []
         for link in links:
             mass, moment, inertia = parts.resolved(link)
             v, w = parts.velocity(link), parts.spin(link).w
-            total += half * mass * dot(v, v), dot(v, cross(w, moment)), half * dot(w, inertia.apply(w))
-        return tape.let(sp.Add(*total), "kinetic")
+            energy += half * mass * dot(v, v), dot(v, cross(w, moment)), half * dot(w, inertia.apply(w))
+            if link.kind == "bend":
+                start: Link = link.parent  # type: ignore[assignment]
+                moved, spin = (parts.of_start(link).out(vector) for vector in link.rod.momentum)
+                spin = add(spin, cross(parts.start_arm(link), moved))
+                energy += dot(parts.velocity(start), moved), dot(parts.spin(start).w, spin), link.rod.kinetic
+        return tape.let(sp.Add(*energy), "kinetic")
 
     def potential(self) -> Any:
         """Potential energy of gravity that does not vary, zero at the ground's origin [J]."""
@@ -251,8 +301,14 @@ class Equations:
     def potential_of(self, bodies: Iterable[Body]) -> Any:
         """Potential energy of some bodies, as of all [J]."""
         pull = gravity_vector(self.kin, [effect for effect in self.scene.all(Gravity) if not effect.varies])
-        total = [-sp.sympify(body.mass) * dot(self.kin.centre(body), pull) for body in bodies]
-        return self.tape.let(sp.Add(*total), "potential")
+        bodies = list(bodies)
+        fallen = [sp.sympify(body.mass) * dot(self.kin.centre(body), pull) for body in bodies]
+        fallen += [
+            dot(pull, self.kin.of_rod(link, link.rod.moment, "bent_moment"))
+            for link in self.links
+            if link.joint is not None and link.joint.bends and any(body == link.joint.parent.body for body in bodies)
+        ]
+        return self.tape.let(sp.Add(*(-energy for energy in fallen)), "potential")
 
 
 def equations_of(kinematics: Kinematics, scene: Scene) -> Equations:

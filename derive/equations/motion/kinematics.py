@@ -249,8 +249,10 @@ class Kinematics:
         if joint is None:
             return sp.S.Zero
         turns = ((freedom.key, freedom.axis) for freedom in joint.freedoms if freedom.kind == "turn")
+        bent = self.link_of(body).rod.angles if joint.bends else []
         total = self.turned(joint.parent.body, k) + joint.parent.turned_about(k) - joint.child.turned_about(k)
         total += sp.Add(*(axis.unit[k] * self.coordinate(key) for key, axis in turns if axis is not None))
+        total += sp.Add(*(axis[k] * angle for axis, angle in bent))
         return self.tape.let(total, f"{body.name}_turned")
 
     def expression(self, value: Any) -> Any:
@@ -338,6 +340,8 @@ class Kinematics:
         accelerations = before.angular_acceleration, before.acceleration
         spin, relative, alpha, acceleration = self._moved(link, *accelerations, [row.acceleration for row in link.rows])
         w, velocity = before.angular_velocity, add(before.velocity, spin)
+        if link.kind == "bend":
+            velocity = add(velocity, self.of_rod(link, link.rod.moved[0], "end_velocity"))
         if link.kind == "slide":
             velocity = add(velocity, relative)
         else:
@@ -373,6 +377,8 @@ class Kinematics:
         w, arm = self.motion_of(link.parent).angular_velocity, self._arm(link)
         spin = self.tape.vector(cross(w, arm), f"{link.name}_arm_rate")
         acceleration = add(acceleration, cross(alpha, arm), cross(w, spin))
+        if link.kind == "bend":
+            return spin, *self._bent(link, w, alpha, acceleration, seconds)
         slides = link.kind == "slide"
         axes = [self.direction_of(link)] if slides else self.partial_turns(link)
         relative = add(*(scale(row.speed, axis) for row, axis in zip(link.rows, axes, strict=True)))
@@ -382,6 +388,34 @@ class Kinematics:
             return spin, relative, alpha, add(acceleration, twice, *along)
         relative = self.tape.vector(relative, f"{link.name}_turning")
         return spin, relative, add(alpha, cross(w, relative), *along), acceleration
+
+    def _bent(
+        self, link: Link, w: Vector, alpha: Vector, acceleration: Vector, seconds: list[Any]
+    ) -> tuple[Vector, ...]:
+        """Relative angular velocity, angular acceleration, acceleration of O of the end of a rod."""
+        rod = link.rod
+        (velocity, turning), (bias, swing) = (
+            [self.of_rod(link, part, f"end_{label}") for part, label in zip(parts, labels, strict=True)]
+            for parts, labels in ((rod.moved, ("velocity", "turning")), (rod.bent, ("bias", "swing")))
+        )
+        moving, turned = (
+            self.of_rod(link, rod.sum(rows, seconds, label), label)
+            for rows, label in ((rod.slides, "end_acceleration"), (rod.turns, "end_angular_acceleration"))
+        )
+        return (
+            turning,
+            add(alpha, cross(w, turning), swing, turned),
+            add(acceleration, scale(2, cross(w, velocity)), bias, moving),
+        )
+
+    def _rod_axes(self, link: Link) -> Matrix:
+        """Rotation matrix from the axes of a rod's start to the ground's."""
+        matrix, axes = self._turned(link.parent), link.base[1]  # type: ignore[arg-type]
+        return matrix if axes == IDENTITY else self.tape.matrix(multiply(matrix, axes), f"{link.rod.name}_start_R")
+
+    def of_rod(self, link: Link, vector: Vector, label: str) -> Vector:
+        """A vector along the axes of a rod's start, in ground axes."""
+        return self.tape.vector(apply(self._rod_axes(link), vector), f"{link.name}_{label}")
 
     # -- bodies, points and paths ----------------------------------------------------------------------------------
 
@@ -458,6 +492,16 @@ class Kinematics:
         if link.kind == "slide":
             return [dot(force, self.direction_of(link))]
         arm = sub(position, self.origin_of(link))
+        if link.kind == "bend":
+            back = transpose(self._rod_axes(link))
+            push, moment = (
+                self.tape.vector(apply(back, vector), f"{link.name}_{label}")
+                for vector, label in ((force, "push"), (cross(arm, force), "moment"))
+            )
+            return [
+                dot(slide, push) + dot(turn, moment)
+                for slide, turn in zip(link.rod.slides, link.rod.turns, strict=True)
+            ]
         if link.kind == "turn":
             return [dot(force, cross(self.direction_of(link), arm))]
         moment = self.tape.vector(cross(arm, force), f"{link.name}_moment")
@@ -469,6 +513,8 @@ class Kinematics:
             return self.by_expressions.partial_turns(link)  # type: ignore[no-any-return]
         if link.kind == "slide":
             return [ZERO]
+        if link.kind == "bend":
+            return [apply(self._rod_axes(link), turn) for turn in link.rod.turns]
         return [self.direction_of(link)] if link.kind == "turn" else list(transpose(self._turned(link)))
 
     def generalised(self, force: Vector, position: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:

@@ -14,6 +14,7 @@ from hertzwerk.derive.expressions.parameter import Parameter
 from hertzwerk.derive.program.program import symbols_in
 
 STATES = 4
+BENT = 1e-3  # deflections of rods beside the length: small, as their equations suppose
 UNDEFINED = (ValueError, TypeError, ZeroDivisionError, OverflowError, NotImplementedError)
 """Errors of an evaluation where an expression has no value, or a function that mpmath lacks, such as a curve's."""
 _TRIES, _CORRECTIONS = 20, 30
@@ -60,7 +61,7 @@ class Probe:
         while True:
             state: Numbers = {self.kin.t: self._random.uniform(0, 1)}
             for freedom, (coordinates, speeds) in freedoms:
-                size = self.length if freedom.kind == "slide" else 1.0
+                size = {"slide": self.length, "bend": BENT * self.length}.get(freedom.kind, 1.0)
                 self._fill(state, coordinates, size)
                 self._fill(state, speeds, size)
             for parameter in self.kin.scene.dimensions if parameters else ():

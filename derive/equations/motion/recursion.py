@@ -20,7 +20,7 @@ from typing import Any, TypeVar
 import sympy as sp
 
 from hertzwerk.derive.declare.mechanism.bodies import Body, steiner
-from hertzwerk.derive.equations.motion.axes import Symmetric, added, of_matrix
+from hertzwerk.derive.equations.motion.axes import Change, Fixed, Symmetric, added, of_matrix
 from hertzwerk.derive.equations.motion.spanning_tree import UNIT, Link, Tree, sympified
 from hertzwerk.derive.expressions.algebra.vectors import (
     IDENTITY,
@@ -96,7 +96,61 @@ class Recursion:
             mass += body.mass
             moment = add(moment, scale(body.mass, centre))
             inertia = combine(inertia, self.about_centre(body), scaled(body.mass, steiner(centre)))
+        for end in self.rods(link):
+            (origin, axes), rod = end.base, end.rod
+            bent = apply(axes, rod.moment)
+            turned = rod.inertia if axes == IDENTITY else multiply(multiply(axes, rod.inertia), transpose(axes))
+            moment, inertia = add(moment, bent), combine(inertia, turned, _shift(origin, bent))
         return mass, moment, inertia
+
+    # -- rods, of which the link is the start --------------------------------------------------------------------------
+
+    def rods(self, link: Link) -> list[Link]:
+        """Ends of the rods that start on a link; its bodies hold them as if they were straight."""
+        return [child for child in self.tree.children[link] if child.kind == "bend"]
+
+    def of_start(self, end: Link) -> Change:
+        """Change from the axes of a rod's start to those of the run of its link."""
+        axes = end.base[1]
+        within = end.parent.orientation.within.steps  # type: ignore[union-attr]
+        return Change(within if axes == IDENTITY else (*within, Fixed(axes)))
+
+    def start_arm(self, end: Link) -> Vector:
+        """Vector from the O of its link to a rod's start, in the axes of the link's run [m]."""
+        arm = end.parent.orientation.within.out(end.base[0])  # type: ignore[union-attr]
+        return self.tape.vector(arm, f"{end.rod.name}_start_arm")
+
+    def in_own_axes(self, end: Link, vector: Vector, label: str) -> Vector:
+        """A vector along the axes of a rod's start, in those of the run of its end."""
+        return self.tape.vector(end.change.back(self.of_start(end).out(vector)), f"{end.name}_{label}")
+
+    @per_link
+    def screws(self, link: Link) -> list[tuple[Vector, Vector]]:
+        """Angular velocity of a rod's end and velocity of its O by each speed, in the axes of its run."""
+        rod = link.rod
+        return [
+            (self.in_own_axes(link, turn, "turn"), self.in_own_axes(link, slide, "slide"))
+            for turn, slide in zip(rod.turns, rod.slides, strict=True)
+        ]
+
+    @per_link
+    def bent(self, end: Link) -> tuple[Vector, Vector]:
+        """Force, and moment about its link's O, of a rod's own speeds, in the axes of the link's run."""
+        out, spin = self.of_start(end), self.spin(end.parent)  # type: ignore[arg-type]
+        force, moment = (out.out(vector) for vector in end.rod.bias(out.back(spin.w)))
+        force = self.tape.vector(force, f"{end.rod.name}_passed_bias")
+        return force, add(moment, cross(self.start_arm(end), force))
+
+    def row_bias(self, end: Link, row: int) -> Any:
+        """Generalised inertia force of a shape's row, without that of the bodies at the end [N]."""
+        start: Link = end.parent  # type: ignore[assignment]
+        out, spin, name = self.of_start(end), self.spin(start), end.rod.name
+        acceleration = add(self.bias(start), self.acceleration_map(start)(self.start_arm(end)))
+        w, alpha, acceleration = (
+            self.tape.vector(out.back(vector), f"{name}_start_{label}")
+            for vector, label in ((spin.w, "spin"), (spin.alpha, "angular_bias"), (acceleration, "bias"))
+        )
+        return end.rod.row_bias(row, w, acceleration, alpha)
 
     @per_link
     def resolved(self, link: Link) -> tuple[Any, Vector, Symmetric]:
@@ -196,6 +250,11 @@ class Recursion:
         w = tape.vector(link.change.back(outer_spin.w), f"{name}_w")
         alpha = tape.vector(link.change.back(outer_spin.alpha), f"{name}_b")
         axes = self.axes(link)
+        if link.kind == "bend":
+            turn = self.in_own_axes(link, link.rod.moved[1], "end_turning")
+            swing = self.in_own_axes(link, link.rod.bent[1], "end_swing")
+            rate = tape.vector(add(w, turn), f"{name}_rate")
+            return Spin(rate, tape.vector(add(alpha, cross(w, turn), swing), f"{name}_angular_bias"), w, alpha, None)
         turn = add(*(scale(row.speed, axis) for row, axis in zip(link.rows, axes, strict=True)))
         driven = add(
             *(scale(row.acceleration, axis) for row, axis in zip(link.rows, axes, strict=True) if not row.free)
@@ -233,7 +292,12 @@ class Recursion:
 
     @per_link
     def slide_bias(self, link: Link) -> Vector:
-        """Bias acceleration of O due to a slide; zero elsewhere."""
+        """Bias acceleration of O due to a slide or the bending of a rod; zero elsewhere."""
+        if link.kind == "bend":
+            out, rod = self.of_start(link), link.rod
+            w = out.back(self.spin(link.parent).w)  # type: ignore[arg-type]
+            moving = add(scale(2, cross(w, rod.moved[0])), rod.bent[0])
+            return self.in_own_axes(link, self.tape.vector(moving, f"{rod.name}_coriolis"), "coriolis")
         if link.kind != "slide":
             return ZERO
         (row,), axis = link.rows, self.axis(link)
@@ -256,6 +320,7 @@ class Recursion:
     def force(self, link: Link) -> Vector:
         """Bias force of the composite in addition to `mass * bias` [N]."""
         parts = [child.change.out(self.inward_force(child)) for child in self.tree.children[link]]
+        parts += [self.bent(end)[0] for end in self.rods(link)]
         return self.tape.vector(add(self.acceleration_map(link)(self.augmented(link)[0]), *parts), f"{link.name}_force")
 
     def inward_force(self, link: Link) -> Vector:
@@ -271,6 +336,7 @@ class Recursion:
         for child in self.tree.children[link]:
             inward_force = tape.vector(child.change.out(self.inward_force(child)), f"{child.name}_turned_force")
             parts += [child.change.out(self.torque(child)), cross(self.arm(child), inward_force)]
+        parts += [self.bent(end)[1] for end in self.rods(link)]
         return tape.vector(add(*parts), f"{name}_torque")
 
     def _gyroscopic(self, link: Link, J: Symmetric) -> Vector:
@@ -305,7 +371,15 @@ class Recursion:
             return ZERO
         before = add(self.velocity(link.parent), cross(self.spin(link.parent).w, self.arm(link)))
         slide = scale(link.rows[0].speed, self.axis(link)) if link.kind == "slide" else ZERO
+        if link.kind == "bend":
+            slide = self.in_own_axes(link, link.rod.moved[0], "end_velocity")
         return self.tape.vector(add(link.change.back(before), slide), f"{link.name}_velocity")
+
+
+def _shift(arm: Vector, moment: Vector) -> Matrix:
+    """As `_shifted`, a matrix."""
+    x, y, z = (_shifted(arm, moment).row(i) for i in range(3))
+    return (x, y, z)
 
 
 def _shifted(arm: Vector, moment: Vector) -> Symmetric:

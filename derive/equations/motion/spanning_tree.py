@@ -20,8 +20,10 @@ import sympy as sp
 
 from hertzwerk.derive.declare.mechanism.bodies import AXES, GROUND, Direction, Frame, Point
 from hertzwerk.derive.declare.mechanism.joints.conditions import across
+from hertzwerk.derive.declare.mechanism.joints.flexible_rod import FlexibleRod
 from hertzwerk.derive.declare.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.declare.mechanism.mechanism import Mechanism
+from hertzwerk.derive.equations.flexible.rod_bending import RodBending
 from hertzwerk.derive.equations.motion.axes import Change, Fixed, Turn
 from hertzwerk.derive.expressions.algebra.vectors import (
     IDENTITY,
@@ -100,7 +102,9 @@ class Link:
     parent       the link it moves on; None for the ground, which is a link without a freedom
     offset       from the parent's O to this O, in the parent's axes [m]: constant but for the travel of a slide
     axis         unit vector of a turn or slide, in its own axes
-    rows         its speeds: one, or the three of a ball
+    rows         its speeds: one, the three of a ball, or those of a rod's shapes
+    bending      of a rod that the link is the end of
+    base         origin and axes of that rod's start, in the parent's axes
     """
 
     name: str
@@ -112,10 +116,19 @@ class Link:
     offset: Vector
     axis: Vector
     orientation: Orientation
+    bending: RodBending | None = None
+    base: tuple[Vector, Matrix] = (ZERO, IDENTITY)
+
+    @property
+    def rod(self) -> RodBending:
+        """Bending of the rod that it is the end of; raises TypeError where it is none."""
+        if self.bending is None:
+            raise TypeError(f"{self.name} is no end of a rod")
+        return self.bending
 
     @property
     def kind(self) -> str:
-        """Kind of its freedom: turn, slide or ball; ground."""
+        """Kind of its freedom: turn, slide, ball or bend; ground."""
         return "ground" if self.freedom is None else self.freedom.kind
 
     @cached_property
@@ -219,12 +232,18 @@ class Tree:
         coordinates: tuple[Any, ...], rows: tuple[Row, ...],
     ) -> tuple[Link, Matrix]:  # fmt: skip
         """Link of one freedom, and the joint's axes in its axes."""
+        base, rod = (offset, axes), None
+        if isinstance(joint, FlexibleRod):
+            rod = RodBending(self.tape, joint, coordinates, [row.speed for row in rows])
+            offset = add(offset, apply(axes, rod.tip))
         if freedom.axis is None:
-            matrix = self.tape.matrix(_of_quaternion(self.tape, coordinates, name), f"{name}_R")
+            matrix = (
+                rod.rotation if rod else self.tape.matrix(_of_quaternion(self.tape, coordinates, name), f"{name}_R")
+            )
             orientation = _ball(parent.orientation, axes, Fixed(matrix))
-            return Link(name, parent, joint, freedom, coordinates, rows, offset, ZERO, orientation), IDENTITY
+            return Link(name, parent, joint, freedom, coordinates, rows, offset, ZERO, orientation, rod, base), IDENTITY
         direction = apply(axes, freedom.axis.unit)
-        (q,) = coordinates
+        q = rod.angles[0][1] if rod else coordinates[0]
         if freedom.kind == "slide":
             direction = self.tape.vector(direction, f"{name}_direction")
             moved = add(offset, scale(q, direction))
@@ -237,7 +256,7 @@ class Tree:
             inner = self._named(multiply(transpose(constant), axes), f"{name}_axes")
             direction = UNIT[2]
         orientation = self._turned(parent.orientation, constant, direction, q, name)
-        return Link(name, parent, joint, freedom, coordinates, rows, offset, direction, orientation), inner
+        return Link(name, parent, joint, freedom, coordinates, rows, offset, direction, orientation, rod, base), inner
 
     def _turned(self, parent: Orientation, constant: Matrix, axis: Vector, q: Any, name: str) -> Orientation:
         """Add a turn to an orientation; about a parallel axis the angles add, in the same run."""

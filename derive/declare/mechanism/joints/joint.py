@@ -66,11 +66,11 @@ class Freedom:
     coordinates  of a turn its angle, of a slide its travel, of a ball the unit quaternion q0 + q1 i + q2 j + q3 k of the child's axes
     speeds       the coordinate's rate; of a ball the angular velocity against the parent in the child's axes, in which the child's
                  equations are resolved; the four rates of the quaternion follow from it
-                 (`given`, by expressions: a coordinate alone, or a speed alone)
+                 (`given`, by expressions: a coordinate alone, or a speed alone; `bend`, of a rod: any number, each with its rate)
     forces       generalised force per speed
     """
 
-    kind: Literal["turn", "slide", "ball", "given"]
+    kind: Literal["turn", "slide", "ball", "bend", "given"]
     key: str
     axis: Direction | None
     coordinates: tuple[Port, ...]
@@ -108,6 +108,8 @@ class Joint:
     """Whether the first of its kind to reach a body carries it; else another joint does."""
     absolute: ClassVar[bool] = False
     """Whether its coordinates on the ground are absolute coordinates of the body, so that it is kept."""
+    bends: ClassVar[bool] = False
+    """Whether it is an elastic body between its two, which carries its child in all coordinates and whose load is not read."""
 
     def __init__(self, name: str, parent: Frame | Point, child: Frame | Point, **entries: Any) -> None:
         if unknown := entries.keys() - {field.name for field in fields(self)}:

@@ -45,10 +45,11 @@ def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterato
         for body in (joint.child.body for joint in mechanism.tree if isinstance(joint.child.body, Body))
     )
     carriers = {rigid_root(mechanism, joint.parent.body) for joint in mechanism.joints if joint.freedoms}
+    rods = {joint.child.body for joint in mechanism.joints if joint.bends}
     tied = {rigid_root(mechanism, place.body) for joint in mechanism.closures for place in (joint.parent, joint.child)}
     for root, bodies in wholes.items():
         if all(is_number(value) and value == 0 for body in bodies for value in (body.mass, *body.moments)):
-            if root not in {*carriers, *tied, GROUND}:
+            if root not in {*carriers, *tied, *rods, GROUND}:
                 yield Fault(f"body {root.name}, mass", "0 kg at the end of a chain", "a value in (0, inf), because nothing beyond it has a mass",
                             "Give it a mass (under a drive any will do: only the drive's force has it), close a loop by a joint to it, or "
                             "leave it out; in a robot, lock its joint: from_urdf(..., locked={joint: 0}).")  # fmt: skip

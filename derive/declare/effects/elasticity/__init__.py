@@ -1,0 +1,1 @@
+"""Elasticity of bodies that bend."""

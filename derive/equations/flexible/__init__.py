@@ -1,0 +1,1 @@
+"""Bodies that bend: their motion and inertia along their own axes."""

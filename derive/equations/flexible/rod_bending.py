@@ -1,0 +1,293 @@
+"""Bending of a flexible rod: motion of its end, and its inertia beyond that of the rigid rod.
+
+Along the axes of the rod's start, from its point A there, a section at x moves to (x - s, w_y, w_z), with w = sum q_i psi_i(x/L), and
+s = 1/2 integral of (w_y'^2 + w_z'^2) from 0 to x, by which bending shortens the rod: the source of its stiffening by axial forces and spin.
+The kinetic energy is complete to second order in q and its rates; the equations are Lagrange's of that energy, so that
+it is conserved. Kane, Ryan, Banerjee, Dynamics of a cantilever beam attached to a moving base, J. Guidance 10 (1987) 139-151.
+
+The momentum is P = m v + w x c + c', the angular momentum about A is H = c x v + J w + eta, eta = sum of h_i q_i', with the first
+moment c, p_i = dc/dq_i and the inertia J. With A's acceleration a and the angular acceleration b the rates of P and H are
+m a + b x c + w x (w x c) + 2 w x c' + c'' and c x a + J b + w x J w + J' w + w x eta + eta'. The row of q_i is
+p_i.a + h_i.b + M q'' - w.J_i w/2 + w.(h_i' - sum of dh_j/dq_i q_j').
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.declare.mechanism.joints.flexible_rod import FlexibleRod
+from hertzwerk.derive.expressions.algebra.vectors import (
+    IDENTITY,
+    ZERO,
+    Matrix,
+    Vector,
+    about,
+    add,
+    cross,
+    dot,
+    multiply,
+    product,
+    scale,
+    total,
+)
+from hertzwerk.derive.program.program import Tape
+
+NONE = sp.S.Zero
+_X, _Y, _Z = IDENTITY
+_Table = list[list[Any]]
+"""Values by direction, Y and then Z, and shape."""
+
+
+class RodBending:
+    """Bending of one rod on a tape, along the axes of its start; rows are those of Y, then those of Z."""
+
+    def __init__(self, tape: Tape, rod: FlexibleRod, q: Sequence[Any], u: Sequence[Any]) -> None:
+        self.tape, self.rod, self.name = tape, rod, rod.name
+        self.length, self.mass = sp.sympify(rod.length), sp.sympify(rod.mass)
+        self.count = len(q) // len(rod.stiffnesses)
+        self.directions = range(len(rod.stiffnesses))
+        self.q, self.u = (
+            [list(part[d * self.count : (d + 1) * self.count]) for d in self.directions] for part in (q, u)
+        )
+        shapes = rod.shapes
+        self._area = [self.mass * number for number in shapes.integrals()]
+        self._lever = [self.mass * self.length * number for number in shapes.integrals(1)]
+        self._end, self._slope = shapes.at(1), [number / self.length for number in shapes.at(1, 1)]
+        self._of_mass = [[self.mass * number for number in row] for row in shapes.products(0)]
+
+    # -- sums over the shapes ------------------------------------------------------------------------------------------
+
+    def _times(self, rows: Sequence[Sequence[Any]], of: _Table, label: str) -> _Table:
+        """Products of a symmetric matrix of the shapes and vectors."""
+        return [
+            [
+                self.tape.let(total(*(product(m, x) for m, x in zip(row, part, strict=True))), f"{self.name}_{label}")
+                for row in rows
+            ]
+            for part in of
+        ]
+
+    def _sum(self, numbers: Sequence[Any], of: _Table, label: str) -> list[Any]:
+        """Sum over the shapes, by direction."""
+        sums = (total(*(product(n, x) for n, x in zip(numbers, part, strict=True))) for part in of)
+        return [self.tape.let(value, f"{self.name}_{label}") for value in sums]
+
+    def _both(self, one: _Table, other: _Table) -> Any:
+        """Sum of the products over shapes and directions."""
+        return total(*(product(a, b) for d in self.directions for a, b in zip(one[d], other[d], strict=True)))
+
+    def _in_axes(self, along: Any, across: Sequence[Any]) -> Vector:
+        """Vector of its component along the rod, and those of the directions."""
+        return (along, across[0], across[1] if len(across) > 1 else NONE)
+
+    # -- motion of the end ---------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _shortening(self) -> list[list[Any]]:
+        return [[number / self.length for number in row] for row in self.rod.shapes.products(1)]
+
+    @cached_property
+    def _drawn_in(self) -> _Table:
+        return self._times(self._shortening, self.q, "drawn_in")
+
+    @cached_property
+    def tip(self) -> Vector:
+        """Vector from A to the end [m]."""
+        short = self._both(self.q, self._drawn_in) / 2
+        return self.tape.vector(
+            self._in_axes(self.length - short, self._sum(self._end, self.q, "deflection")), f"{self.name}_tip"
+        )
+
+    @cached_property
+    def slides(self) -> list[Vector]:
+        """Velocity of the end by each speed [1]."""
+        return [
+            self._in_axes(-self._drawn_in[d][i], [self._end[i] if d == k else NONE for k in self.directions])
+            for d in self.directions
+            for i in range(self.count)
+        ]
+
+    @cached_property
+    def angles(self) -> list[tuple[Vector, Any]]:
+        """Turns of the end, one after the other: axis and angle [rad]."""
+        slopes = self._sum(self._slope, self.q, "slope")
+        return [(_Z, slopes[0]), *((_Y, -slope) for slope in slopes[1:])]
+
+    @cached_property
+    def rotation(self) -> Matrix:
+        """Rotation from the axes of the end to those of the start, of a rod that bends in both directions."""
+        matrix = IDENTITY
+        for axis, angle in self.angles:
+            cosine, sine = (self.tape.let(f(angle), f"{f.__name__}_{self.name}_slope") for f in (sp.cos, sp.sin))
+            matrix = multiply(matrix, about(axis, cosine, sine))
+        return self.tape.matrix(matrix, f"{self.name}_bent")
+
+    @cached_property
+    def _hinges(self) -> list[Vector]:
+        """Axes of the turns of the end, along the start's axes: of Y's slope, then of Z's."""
+        if len(self.directions) == 1:
+            return [_Z]
+        cosine, sine = (
+            self.tape.let(f(self.angles[0][1]), f"{f.__name__}_{self.name}_slope") for f in (sp.cos, sp.sin)
+        )
+        return [_Z, (sine, -cosine, NONE)]
+
+    @cached_property
+    def turns(self) -> list[Vector]:
+        """Angular velocity of the end by each speed [1/m]."""
+        return [scale(self._slope[i], self._hinges[d]) for d in self.directions for i in range(self.count)]
+
+    def sum(self, vectors: Sequence[Vector], factors: Sequence[Any], label: str) -> Vector:
+        """Sum of a vector of each row times a factor."""
+        return self.tape.vector(add(ZERO, *map(scale, factors, vectors)), f"{self.name}_{label}")
+
+    @cached_property
+    def speeds(self) -> list[Any]:
+        """Speeds of all rows."""
+        return [speed for part in self.u for speed in part]
+
+    @cached_property
+    def moved(self) -> tuple[Vector, Vector]:
+        """Velocity and angular velocity of the end, relative to the start."""
+        return self.sum(self.slides, self.speeds, "end_velocity"), self.sum(self.turns, self.speeds, "end_turning")
+
+    @cached_property
+    def bent(self) -> tuple[Vector, Vector]:
+        """Acceleration and angular acceleration of the end, relative to the start, at constant speeds."""
+        along = self._both(self.u, self._times(self._shortening, self.u, "drawing_in"))
+        if len(self.directions) == 1:
+            return self.tape.vector((-along, NONE, NONE), f"{self.name}_end_bias"), ZERO
+        one, two = self._sum(self._slope, self.u, "slope_rate")
+        swung = scale(one * two, cross(_Z, self._hinges[1]))
+        return (
+            self.tape.vector((-along, NONE, NONE), f"{self.name}_end_bias"),
+            self.tape.vector(swung, f"{self.name}_end_swing"),
+        )
+
+    # -- inertia -------------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _weighed(self) -> _Table:
+        return self._times(self._of_mass, self.q, "weighed")
+
+    @cached_property
+    def _weighed_rates(self) -> _Table:
+        return self._times(self._of_mass, self.u, "weighed_rate")
+
+    @cached_property
+    def _sinking(self) -> list[list[Any]]:
+        rows = self.rod.shapes.products(1, lambda x: 1 - x)
+        return [[self.mass / self.length * number for number in row] for row in rows]
+
+    @cached_property
+    def _sunk(self) -> _Table:
+        return self._times(self._sinking, self.q, "sunk")
+
+    @cached_property
+    def _stiffened(self) -> _Table:
+        rows = self.rod.shapes.products(1, lambda x: (1 - x**2) / 2)
+        return self._times([[self.mass * number for number in row] for row in rows], self.q, "stiffened")
+
+    @cached_property
+    def moment(self) -> Vector:
+        """First moment c, in addition to that of the straight rod [kg m]."""
+        along = -self._both(self.q, self._sunk) / 2
+        return self.tape.vector(
+            self._in_axes(along, self._sum(self._area, self.q, "aside")), f"{self.name}_bent_moment"
+        )
+
+    @cached_property
+    def inertia(self) -> Matrix:
+        """Inertia J about A, in addition to that of the straight rod [kg m^2]."""
+        along, aside = -self._both(self.q, self._stiffened), self._sum(self._lever, self.q, "lever")
+        squares = [self._dot(part, other) for part, other in zip(self.q, self._weighed, strict=True)]
+        mixed = self._dot(self.q[0], self._weighed[1]) if len(squares) > 1 else NONE
+        return self._inertia(along, aside, squares, mixed, "bent_inertia")
+
+    @cached_property
+    def _inertia_rate(self) -> Matrix:
+        along, aside = -2 * self._both(self.u, self._stiffened), self._sum(self._lever, self.u, "lever_rate")
+        squares = [2 * self._dot(part, other) for part, other in zip(self.u, self._weighed, strict=True)]
+        mixed = NONE
+        if len(squares) > 1:
+            mixed = self._dot(self.u[0], self._weighed[1]) + self._dot(self.u[1], self._weighed[0])
+        return self._inertia(along, aside, squares, mixed, "bent_inertia_rate")
+
+    def _inertia(self, along: Any, aside: Sequence[Any], squares: Sequence[Any], mixed: Any, label: str) -> Matrix:
+        """Inertia by the integrals of x x, x w, w w and w_y w_z over the mass."""
+        y, z = (*squares, NONE)[:2]
+        xy, xz = (*aside, NONE)[:2]
+        rows = ((total(y, z), -xy, -xz), (-xy, total(along, z), -mixed), (-xz, -mixed, total(along, y)))
+        return self.tape.matrix(rows, f"{self.name}_{label}")
+
+    @staticmethod
+    def _dot(one: Sequence[Any], other: Sequence[Any]) -> Any:
+        return total(*map(product, one, other))
+
+    @cached_property
+    def pushes(self) -> list[Vector]:
+        """Momentum p_i by each speed [kg]."""
+        return [
+            self._in_axes(-self._sunk[d][i], [self._area[i] if d == k else NONE for k in self.directions])
+            for d in self.directions
+            for i in range(self.count)
+        ]
+
+    @cached_property
+    def twists(self) -> list[Vector]:
+        """Angular momentum h_i about A by each speed [kg m]."""
+        across = self._weighed[1] if len(self.directions) > 1 else [NONE] * self.count
+        twists = [(-across[i], NONE, self._lever[i]) for i in range(self.count)]
+        if len(self.directions) > 1:
+            twists += [(self._weighed[0][i], -self._lever[i], NONE) for i in range(self.count)]
+        return twists
+
+    def mass_of(self, row: int, other: int) -> Any:
+        """Entry of the mass matrix of two rows [kg]."""
+        (d, i), (k, j) = divmod(row, self.count), divmod(other, self.count)
+        return self._of_mass[i][j] if d == k else NONE
+
+    @cached_property
+    def momentum(self) -> tuple[Vector, Vector]:
+        """Momentum c' and angular momentum eta of the speeds."""
+        return self.sum(self.pushes, self.speeds, "momentum"), self.sum(self.twists, self.speeds, "spin")
+
+    def bias(self, w: Vector) -> tuple[Vector, Vector]:
+        """Force 2 w x c' + c'' and moment about A, J' w + w x eta, of the speeds at an angular velocity."""
+        along = self._both(self.u, self._times(self._sinking, self.u, "sinking"))
+        moved, spin = self.momentum
+        turned = tuple(dot(row, w) for row in self._inertia_rate)
+        force = add(scale(2, cross(w, moved)), (-along, NONE, NONE))
+        return self.tape.vector(force, f"{self.name}_bias"), self.tape.vector(
+            add(turned, cross(w, spin)), f"{self.name}_twist"
+        )
+
+    def needed(self, w: Vector, alpha: Vector, acceleration: Vector, seconds: Sequence[Any]) -> tuple[Vector, Vector]:
+        """Force, and moment about A, that accelerate the rod, beyond those of the straight one."""
+        force, moment = self.bias(w)
+        turned, inertia = cross(alpha, self.moment), [tuple(dot(row, of) for row in self.inertia) for of in (w, alpha)]
+        force = add(force, turned, cross(w, cross(w, self.moment)), self.sum(self.pushes, seconds, "push"))
+        gyroscopic = add(cross(w, inertia[0]), inertia[1], cross(self.moment, acceleration))
+        return force, add(moment, gyroscopic, self.sum(self.twists, seconds, "twisted"))
+
+    def row_bias(self, row: int, w: Vector, acceleration: Vector, angular: Vector) -> Any:
+        """Generalised inertia force of a row at zero accelerations of the shapes [N]."""
+        d, i = divmod(row, self.count)
+        other, across = 1 - d, (w[2], w[1])  # components of w about which a direction swings, and along it
+        let = self.tape.let
+        square = let(w[1] ** 2 + w[2] ** 2, f"{self.name}_spin_squared")
+        swing = let(w[0] ** 2 + across[d] ** 2, f"{self.name}_swing_squared")
+        mixed = [self._stiffened[d][i] * square, -self._weighed[d][i] * swing, self._lever[i] * w[0] * across[1 - d]]
+        if len(self.directions) > 1:
+            mixed.append(self._weighed[other][i] * w[1] * w[2])
+            mixed.append((-2, 2)[d] * self._weighed_rates[other][i] * w[0])
+        return total(dot(self.pushes[row], acceleration), dot(self.twists[row], angular), *mixed)
+
+    @cached_property
+    def kinetic(self) -> Any:
+        """Kinetic energy of the speeds alone [J]."""
+        return self._both(self.u, self._weighed_rates) / 2
