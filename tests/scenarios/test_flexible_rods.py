@@ -23,7 +23,9 @@ from hertzwerk.derive import (
     Y,
     Z,
 )
+from hertzwerk.derive.scenes.flexible_slider_crank import scene as flexible_slider_crank
 from hertzwerk.runtime import equilibrium, load, modes, simulate
+from reference.elastic_rods import BentCoupler
 
 L, M, EI = 1.2, 0.9, 30.0
 LENGTH, MASS, STIFF = Parameter("length", "m", L), Parameter("mass", "kg", M), Parameter("stiffness", "N m^2", EI)
@@ -142,3 +144,81 @@ def test_thrust_buckles_a_clamped_rod_at_the_load_of_euler():
     below, above = squared(critical * 0.999), squared(critical * 1.003)
     assert below.imag != 0
     assert above.real > 0
+
+
+CRANK = {"crank": 0.15, "length": 0.3, "mass": 7870 * 0.008**2 * 0.3, "slider": 0.075552, "pace": 150.0}
+
+
+def test_a_slider_crank_agrees_with_finite_elements():
+    """Which have no floating frame, no assumed shapes and no small deflections; 1.6 mm of 300 mm."""
+    times = np.linspace(0, 8e-3, 9)
+    travel, sag = BentCoupler(4, stiffness=200e9 * 0.008**4 / 12, **CRANK).run(times)
+    found = simulate("flexible_slider_crank", duration="8 ms", accuracy=1e-6).at(times)
+    assert np.max(np.abs(found["guide.travel"] - travel)) < 1e-7
+    assert np.max(np.abs(found["coupler.sag_50"] - sag)) < 1.5e-3 * np.max(np.abs(sag))
+    heavier = simulate(
+        "flexible_slider_crank", duration="8 ms", accuracy=1e-6, parameters={"density": (7950, "kg/m^3")}
+    ).at(times)
+    assert np.max(np.abs(heavier["coupler.sag_50"] - sag)) > 3e-3 * np.max(np.abs(sag))
+
+
+def test_a_stiff_coupler_approaches_the_rigid_one_as_1_over_its_stiffness():
+    errors = []
+    for youngs in (200, 2_000, 20_000):
+        run = simulate(
+            "flexible_slider_crank", duration="10 ms", tolerance=1e-10, parameters={"youngs_modulus": (youngs, "GPa")}
+        )
+        angle = -np.arcsin(0.5 * np.sin(150 * run.t))
+        errors.append(
+            [np.max(np.abs(run["crank_pin.angle"] + 150 * run.t - angle)), np.max(np.abs(run["coupler.stress_50"]))]
+        )
+    (turned, stressed) = np.transpose(errors)
+    assert turned[:2] / turned[1:] == pytest.approx(10, rel=0.1)
+    assert stressed[:2] / stressed[1:] == pytest.approx(1, rel=0.1)  # its bending moment remains
+
+
+@pytest.mark.parametrize("method", ["dopri5", "esdirk", "rodas", "auto"])
+def test_every_method_keeps_energy_and_result(method):
+    damped = {"damping_ratio": 0.01}
+    run, exact = (
+        simulate("flexible_slider_crank", duration="5 ms", tolerance=tolerance, method=one, parameters=damped)
+        for one, tolerance in ((method, 1e-8), ("dop853", 1e-12))
+    )
+    assert run["coupler.sag_50"][-1] == pytest.approx(exact["coupler.sag_50"][-1], abs=1e-9)
+    assert run.energy_residual < 1e-7
+    assert run["coupler_elasticity.dissipated"][-1] > 0
+
+
+def test_both_coordinates_give_the_same_motion_and_reactions():
+    runs = [
+        simulate(
+            flexible_slider_crank.with_coordinates(kind),
+            duration="4 ms",
+            tolerance=1e-9,
+            parameters={"damping_ratio": 0.01},
+        )
+        for kind in ("tree", "absolute")
+    ]
+    for name, size in (
+        ("coupler.bend_1", 1e-3),
+        ("guide.travel", 0.3),
+        ("crank_pin.reaction_x", 1e3),
+        ("slider_pin.reaction_y", 1e3),
+    ):
+        one, other = (run[name][-1] for run in runs)
+        assert one == pytest.approx(other, abs=1e-7 * size), name
+
+
+def test_compiled_and_uncompiled_runs_have_the_same_bits():
+    run, other = (simulate("flexible_slider_crank", duration="1 ms", compiled=compiled) for compiled in (False, True))
+    assert np.array_equal(run["coupler.bend_1"], other["coupler.bend_1"])
+
+
+def test_a_derivative_by_the_stiffness_is_that_of_differences():
+    def run(youngs):
+        parameters = {"youngs_modulus": (youngs, "GPa")}
+        return simulate("flexible_slider_crank", duration="2 ms", tolerance=1e-11, parameters=parameters)
+
+    low, high = (run(youngs)["coupler.sag_50"][-1] for youngs in (199.9, 200.1))
+    slope = run(200).sensitivities("youngs_modulus")["coupler.sag_50", "youngs_modulus"][-1]
+    assert slope == pytest.approx((high - low) / 0.2e9, rel=1e-4)

@@ -359,6 +359,8 @@ class Scene:
             return {}  # a fault reported by the scene
         own = self._contact_at[pair.name].effective_mass if pair.name in self._contact_at else None
         masses = [body.mass for body in bodies]
+        if any(mass == 0 for mass in masses):  # the end of a flexible rod: of it no more is known
+            masses = []
         both = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1]) if masses else None
         mass = both if own is None else own
         return {**pair.geometry, **({} if mass is None else {"m_eff": mass})}

@@ -19,8 +19,8 @@ class Start:
     For a joint with one coordinate, the joint's name suffices.
 
     Given values are kept. Others are found where loops are to be closed and journals to be centred: positions and
-    speeds of the ideal mechanism. Remaining ones are zero, and an orientation is that of the parent. `near` gives
-    starting values of coordinates for the assembly, which select one of several configurations.
+    speeds of the ideal mechanism. Remaining ones are zero, and an orientation is that of the parent. Flexible rods are
+    straight where nothing else is given. `near` gives starting values of coordinates for the assembly, which select one of several configurations.
 
     With `seated`, journals do not start in the middle of their bushes or sockets, but rest in them, held by their
     contact alone: each is displaced along the force that its clearance would transmit as a closed joint at that
@@ -51,8 +51,12 @@ class Start:
     def stated(self, freedom: Freedom) -> list[str]:
         """Names of a freedom's coordinates and speeds with a given value."""
         sides = (self.position, freedom.coordinates), (self.speed, freedom.speeds)
+        straight = freedom.kind == "bend"
         return [
-            port.name for values, ports in sides for port in ports if _value_of(values, port.name, freedom) is not None
+            port.name
+            for values, ports in sides
+            for port in ports
+            if _value_of(values, port.name, freedom) is not None or (straight and port.name not in self.near)
         ]
 
     def slots(self, freedoms: Iterable[Freedom]) -> Iterator[Slot]:

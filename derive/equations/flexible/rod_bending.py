@@ -126,6 +126,15 @@ class RodBending:
             matrix = multiply(matrix, about(axis, cosine, sine))
         return self.tape.matrix(matrix, f"{self.name}_bent")
 
+    def section(self, percent: int) -> tuple[Vector, Matrix]:
+        """Vector from A to a section [m], shortened as the whole rod is, and rotation from its axes to the start's."""
+        at, matrix = sp.Rational(percent, 100), IDENTITY
+        aside = self._sum(self.rod.shapes.at(at), self.q, f"deflection_{percent}")
+        slopes = self._sum([number / self.length for number in self.rod.shapes.at(at, 1)], self.q, f"slope_{percent}")
+        for axis, angle in zip((_Z, _Y), (slopes[0], *(-slope for slope in slopes[1:])), strict=False):
+            matrix = multiply(matrix, about(axis, sp.cos(angle), sp.sin(angle)))
+        return self._in_axes(at * self.tip[0], aside), matrix
+
     @cached_property
     def _hinges(self) -> list[Vector]:
         """Axes of the turns of the end, along the start's axes: of Y's slope, then of Z's."""

@@ -18,7 +18,7 @@ import sympy as sp
 from hertzwerk.derive.declare.effects.effect import DISSIPATED, Effect, Element
 from hertzwerk.derive.declare.effects.gravity import Gravity
 from hertzwerk.derive.declare.effects.tribology.rolling_resistance import Moment
-from hertzwerk.derive.declare.mechanism.bodies import GROUND, Body, Point
+from hertzwerk.derive.declare.mechanism.bodies import Body, Point
 from hertzwerk.derive.declare.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.equations.inverse_dynamics.joint_forces import Forces
@@ -165,7 +165,7 @@ class _Readings:
     def _marks(self) -> Iterator[Any]:
         """Landmarks on moving bodies, but for those of the bodies themselves."""
         bodies = [body.name for body in self.mechanism.bodies]
-        return (mark for mark in self.system.landmarks if mark.point.body != GROUND and mark.part not in bodies)
+        return (mark for mark in self.system.landmarks if mark.point.body.name in bodies and mark.part not in bodies)
 
     def _body(self, body: Body) -> Iterator[Reading]:
         """Motion of the mass centre, orientation, momentum and energy of a body."""

@@ -81,7 +81,8 @@ def landmarks_of(scene: Scene) -> Iterator[Landmark]:
     for effect in scene.effects:
         yield from (Landmark(effect.name, *mark) for mark in effect.landmarks(scene))
     for body in mechanism.bodies:
-        if not (is_number(body.mass) and body.mass == 0):
+        carrier = [joint for joint in mechanism.joints if joint.bends and joint.parent.body == body]
+        if not carrier and not (is_number(body.mass) and body.mass == 0):
             yield Landmark(body.name, "body", "centre", Point(body, body.centre))
     for body in mechanism.bodies:
         for number, shape in enumerate(body.shapes, 1):

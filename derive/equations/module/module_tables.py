@@ -13,7 +13,7 @@ from hertzwerk.derive.declare.effects.state_expression import tables_in
 from hertzwerk.derive.declare.mechanism.joints.joint import Port
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.equations.module.equation_system import System
-from hertzwerk.derive.equations.module.output_functions import output_rows
+from hertzwerk.derive.equations.module.output_functions import output_rows, posed_names
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.equations.motion.loop_closure import Constraint
 from hertzwerk.derive.expressions.algebra.splines import Table
@@ -60,7 +60,7 @@ def tables(system: System) -> Mapping[str, Any]:
         "BRISTLES": tuple(_bristle_rows(system)),
         "OUTPUTS": tuple((name, unit) for name, unit, _ in output_rows(system)),
         "SPEED_LIMITED": tuple(system.limited),
-        "BODIES": tuple(body.name for body in scene.mechanism.bodies),
+        "BODIES": posed_names(scene.mechanism),
         "LANDMARKS": tuple(landmark.row for landmark in system.landmarks),
         "FAMILIES": (),
         **({"WORN": _worn(system)} if system.worn else {}),

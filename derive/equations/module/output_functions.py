@@ -4,19 +4,32 @@ from __future__ import annotations
 
 from typing import Any
 
+from hertzwerk.derive.declare.mechanism.joints.flexible_rod import FlexibleRod
+from hertzwerk.derive.declare.mechanism.mechanism import Mechanism
 from hertzwerk.derive.equations.module.equation_system import System
 from hertzwerk.derive.equations.motion.loop_closure import Closure
 from hertzwerk.derive.program.program import Function, Result
+
+
+def posed_names(mechanism: Mechanism) -> tuple[str, ...]:
+    """Names of the bodies, then those of the sections of rods."""
+    rods = (joint for joint in mechanism.tree if isinstance(joint, FlexibleRod))
+    return (*(body.name for body in mechanism.bodies), *(body.name for rod in rods for _, body in rod.sections))
 
 
 def poses(system: System) -> Function:
     """Positions and rotations of the bodies."""
     positions: list[Any] = []
     rotations: list[Any] = []
-    names = [body.name for body in system.scene.mechanism.bodies]
+    names = posed_names(system.scene.mechanism)
     for body in system.scene.mechanism.bodies:
         positions.extend(system.kin.frame_origin(body))
         rotations.extend(entry for row in system.kin.rotation(body) for entry in row)
+    for end in (link for link in system.kin.tree.links if link.kind == "bend"):
+        for at, _ in end.rod.rod.sections:
+            place, turned = system.kin.section(end, at)
+            positions.extend(place)
+            rotations.extend(entry for row in turned for entry in row)
     return system.function(
         "poses",
         "Origin of every body's frame (x, y, z after one another) and its rotation matrix (row by row), body by body.",

@@ -413,6 +413,13 @@ class Kinematics:
         matrix, axes = self._turned(link.parent), link.base[1]  # type: ignore[arg-type]
         return matrix if axes == IDENTITY else self.tape.matrix(multiply(matrix, axes), f"{link.rod.name}_start_R")
 
+    def section(self, end: Link, percent: int) -> tuple[Vector, Matrix]:
+        """Position [m] and rotation matrix of a section of a rod, for pictures."""
+        start, section = end.joint.parent.body, end.rod.section(percent)  # type: ignore[union-attr]
+        name, axes = f"{end.rod.name}_{percent}", self.rotation(start)
+        place = add(self.frame_origin(start), apply(axes, section[0]))  # type: ignore[arg-type]
+        return self.tape.vector(place, name), self.tape.matrix(multiply(axes, section[1]), f"{name}_R")
+
     def of_rod(self, link: Link, vector: Vector, label: str) -> Vector:
         """A vector along the axes of a rod's start, in ground axes."""
         return self.tape.vector(apply(self._rod_axes(link), vector), f"{link.name}_{label}")

@@ -12,7 +12,7 @@ from matplotlib.ticker import MaxNLocator
 
 from hertzwerk.runtime.output.drawings import force_symbols, labels
 from hertzwerk.runtime.output.drawings.drawing_primitives import INK, Paper, nice, shade
-from hertzwerk.runtime.output.drawings.parts import Parts
+from hertzwerk.runtime.output.drawings.parts import ROD, Parts
 from hertzwerk.runtime.output.drawings.places import GROUND, SOLIDS, Landmark, Places
 from hertzwerk.runtime.output.drawings.view import view_of
 from hertzwerk.runtime.output.plots.plot_style import GREY, VERMILLION
@@ -113,18 +113,19 @@ class Drawing:
     def caption(self) -> str:
         """Describe the drawing."""
         t = self.parts.places.t
+        bent = "".join(f" Bending of {part} enlarged {n:g} times." for part, n in self.parts.bent.items() if n > 1)
         if len(t) == 1:
-            return "At the start."
+            return f"At the start.{bent}"
         time = scale_of("s", t[-1])
         later = ", ".join(f"{value:.3g}" for value in time(t[list(self.ghosts)]))
         faint = f"; faint at {later} {time.unit}" if self.ghosts else "; its motion is too small to be visible"
         paths = [mark.part if mark.place in ("pin", "ball", "child") else mark.body for mark, _ in self.paths]
         if not paths:
-            return f"At t = 0{faint}."
+            return f"At t = 0{faint}.{bent}"
         return (
             f"At t = 0{faint}. "
             + ("Thin lines: paths of " if len(paths) > 1 else "Thin line: path of ")
-            + f"{', '.join(dict.fromkeys(paths))}."
+            + f"{', '.join(dict.fromkeys(paths))}.{bent}"
         )
 
     # -- paths ---------------------------------------------------------------------------------------------------------
@@ -151,7 +152,9 @@ class Drawing:
         """
         if mark.place in ("pin", "ball", "sphere", "cylinder", "disc") or mark.kind == "sphere_on_sphere":
             return 0, 0.0
-        if mark.kind == "body" or (mark.place == "child" and not mark.kind.startswith(("slide_", "turn_", "planar"))):
+        if mark.kind == "body" or (
+            mark.place == "child" and not mark.kind.startswith(("slide_", "turn_", "planar", ROD))
+        ):
             return 1, -round(
                 float(np.max(np.ptp(self.parts.flat(self.parts.positions[id(mark)]), axis=0))) / (4 * self.point)
             )
@@ -170,6 +173,9 @@ class Drawing:
         if len(bodies) <= MANY:
             for body, text in _named(bodies).items():
                 yield labels.Label(text, parts.beside(paper, body, 0), shade(parts.colours[body]), size)
+        for name in parts.rods:
+            points = parts.rod(name, 0)[[10, 20, 30]]
+            yield labels.Label(name, points, shade(parts.colours[parts.rods[name][0].body]), size)
         for (name, kind), marks in parts.of.items():
             if kind in ("spring", "damper", "bushing", "slide_spring", "slide_damper"):
                 sliding = kind in ("slide_spring", "slide_damper")

@@ -67,6 +67,14 @@ class Paper:
         around = corners if radius == 0 else np.concatenate([corner + radius * _circle() for corner in corners])
         self.area(hull(around), colour, z)
 
+    def band(self, points: Array, half: float, colour: str, z: float) -> None:
+        """Draw a bar along a curve through points (n, 2)."""
+        way = np.gradient(points, axis=0)
+        side = (
+            half * np.stack([-way[:, 1], way[:, 0]], axis=-1) / np.maximum(np.linalg.norm(way, axis=1), 1e-300)[:, None]
+        )
+        self.area(np.concatenate([points + side, (points - side)[::-1]]), colour, z)
+
     def area(self, outline: Array, colour: str, z: float, alpha: float = 1.0) -> None:
         """Draw a filled outline (n, 2)."""
         face, edge = tint(colour, 0.42), tint(colour, 1.0)

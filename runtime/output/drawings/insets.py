@@ -216,7 +216,7 @@ def clearances(parts: Parts, point: float) -> Iterator[Inset]:
 
 def _gap(parts: Parts, marks: list[Landmark], i: int = 0) -> tuple[float, Array] | None:
     """Return the width of a gap at an instant [m] and its middle (3,), for surfaces that face each other."""
-    if len(marks) < 2:
+    if len(marks) != 2:  # of a flexible rod more
         return None
     first, second = marks
     one, two = parts.positions[id(first)][i], parts.positions[id(second)][i]

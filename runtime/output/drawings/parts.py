@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.interpolate import CubicHermiteSpline
 
-from hertzwerk.runtime.output.drawings.drawing_primitives import INK, ROUND, Paper, goes_round, hull
+from hertzwerk.runtime.output.drawings.drawing_primitives import INK, ROUND, Paper, goes_round, hull, nice
 from hertzwerk.runtime.output.drawings.ground_planes import ground_planes
 from hertzwerk.runtime.output.drawings.places import GROUND, SOLIDS, Landmark, Places
 from hertzwerk.runtime.output.drawings.view import View
@@ -43,6 +44,8 @@ ROUNDS = (
 RIM = 0.25  # width of a bush or socket around its hole, in radii
 APART = ("gravity", "force", "moment", "planar")  # kinds that shape no body
 FACING = 0.98  # cosine of the angle from which on a tube is looked through
+ROD = "flexible_rod"
+BENT, TINY = 0.06, 1e4  # largest sag of a rod that is shown, in lengths; factor from which on it counts as straight
 THIN = 0.2  # projected length below which a unit direction is not drawn
 
 
@@ -63,7 +66,38 @@ class Parts:
     def colours(self) -> dict[str, str]:
         """Colours of the bodies."""
         bodies = self.places.bodies[1:]
-        return {GROUND: GREY} | {body: CYCLE[i % len(CYCLE)] for i, body in enumerate(bodies)}
+        colours = {GROUND: GREY} | {body: CYCLE[i % len(CYCLE)] for i, body in enumerate(bodies)}
+        return colours | {mark.body: colours[marks[0].body] for marks in self.rods.values() for mark in marks}
+
+    @cached_property
+    def rods(self) -> dict[str, list[Landmark]]:
+        """Sections of the flexible rods from start to end, by part."""
+        return {part: marks for (part, kind), marks in self.of.items() if kind == ROD}
+
+    @cached_property
+    def bent(self) -> dict[str, float]:
+        """Factors by which the sag of each rod from the line between its ends is enlarged, so that it is visible."""
+        factors = {}
+        for part, marks in self.rods.items():
+            points = np.array([self.positions[id(mark)] for mark in marks])
+            line = points[-1] - points[0]
+            sag = np.max(np.linalg.norm(points[1:-1] - _on_line(points), axis=-1))
+            wanted = BENT * float(np.max(np.linalg.norm(line, axis=-1))) / max(float(sag), 1e-300)
+            factors[part] = nice(wanted) if 1 < wanted < TINY else 1.0
+        return factors
+
+    def rod(self, part: str, i: int) -> Array:
+        """Return a bent rod on the paper, its sag enlarged: points (k, 2)."""
+        marks = self.rods[part]
+        points = np.array([self.positions[id(mark)] for mark in marks])[:, i]
+        ways = np.array([self.places.direction(mark, "along")[i] for mark in marks])
+        line = points[-1] - points[0]
+        length = float(np.linalg.norm(line))
+        straight = np.concatenate([points[:1], _on_line(points), points[-1:]])
+        points = straight + self.bent[part] * (points - straight)
+        ways = line + self.bent[part] * (ways * length - line)
+        at = np.linspace(0, 1, len(marks))
+        return self.flat(CubicHermiteSpline(at, points, ways)(np.linspace(0, 1, 41)))
 
     @cached_property
     def walls(self) -> dict[int, tuple[Array, Array]]:
@@ -125,7 +159,7 @@ class Parts:
         marks = [
             m
             for m in self.places.of_body(body)
-            if m.kind not in APART and not m.kind.startswith(("slide_", "turn_", *SOLIDS))
+            if m.kind not in (*APART, ROD) and not m.kind.startswith(("slide_", "turn_", *SOLIDS))
         ]
         return marks or [m for m in self.places.of_body(body) if m.kind == "planar"]
 
@@ -143,6 +177,8 @@ class Parts:
 
     def _body(self, paper: Paper, body: str, i: int, z: float) -> None:
         colour, marks, p = self.colours[body], self._shaping(body), paper.point
+        for part in (part for part, sections in self.rods.items() if sections[0].body == body):
+            paper.band(self.rod(part, i), BAR * p, colour, z)
         solid = any(mark.place == "corner" for mark in marks)
         rails = [mark for mark in marks if mark.kind in SLIDING and mark.place == "parent"]
         still = np.array([self.at(mark, i) for mark in marks])
@@ -477,11 +513,18 @@ class Parts:
             elif "along" in mark.beside and "length" in mark.beside:
                 half = self.flat(mark.size("length") / 2 * self.places.direction(mark, "along"))
                 yield from (flat - half, flat + half)
+        yield from (self.rod(part, i) for part in self.rods for i in range(len(self.places.t)))
         yield from (self.flat(outline) for _, outline in self.walls.values())
         for first, second in (marks[:2] for marks in self.of.values() if marks[-1].place == "plane"):
             points, normal = self.positions[id(first)], self.places.direction(second, "normal")
             height = np.sum((points - self.positions[id(second)]) * normal, axis=1, keepdims=True)
             yield self.flat(points - height * normal)
+
+
+def _on_line(points: Array) -> Array:
+    """Return the places of the inner points (k, ..., 3) if they stood evenly on the line from the first to the last."""
+    at = np.linspace(0, 1, len(points))[1:-1].reshape(-1, *(1,) * (points.ndim - 1))
+    return np.asarray((1 - at) * points[0] + at * points[-1])
 
 
 def _corners(mark: Landmark) -> Array:

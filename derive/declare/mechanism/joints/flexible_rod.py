@@ -15,6 +15,9 @@ from hertzwerk.derive.declare.mechanism.joints.joint import Freedom, Joint, Port
 from hertzwerk.derive.expressions.algebra.bending_shapes import ENDS, MOST, BendingShapes, bending_shapes
 from hertzwerk.derive.expressions.parameter import NOT_NEGATIVE, POSITIVE, Scalar, Slot, is_number
 
+SECTIONS = (25, 50, 75)
+"""Percentages of the length of the sections in a picture."""
+
 
 @dataclass(frozen=True, init=False)
 class FlexibleRod(Joint):
@@ -132,9 +135,19 @@ class FlexibleRod(Joint):
         """Yield no fault: the constructor has refused them."""
         return iter(())
 
+    @property
+    def sections(self) -> tuple[tuple[int, Body], ...]:
+        """Percentages of the length, and names of frames there, by which a picture shows the bent rod."""
+        return tuple((at, Body(f"{self.name}_{at}", 0)) for at in SECTIONS)
+
     def landmarks(self) -> Iterator[tuple[str, Point, dict[str, Any]]]:
-        """Yield both ends with the direction of the rod."""
-        return self.landmarks_with("along", AXES[0], AXES[0])
+        """Yield both ends and the sections between with the direction of the rod."""
+        for place, body in (
+            ("parent", self.start),
+            *((f"at_{at}", body) for at, body in self.sections),
+            ("child", self.end),
+        ):
+            yield place, Point(body), {"along": AXES[0].unit}
 
 
 def _shape_faults(modes: Any, ends: Any, cubics: Any, stations: Any) -> Iterator[Fault]:
