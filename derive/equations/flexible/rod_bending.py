@@ -127,7 +127,7 @@ class RodBending:
         return self.tape.matrix(matrix, f"{self.name}_bent")
 
     def section(self, percent: int) -> tuple[Vector, Matrix]:
-        """Vector from A to a section [m], shortened as the whole rod is, and rotation from its axes to the start's."""
+        """Vector from A to a section [m], shortened as the whole rod is, and its rotation matrix."""
         at, matrix = sp.Rational(percent, 100), IDENTITY
         aside = self._sum(self.rod.shapes.at(at), self.q, f"deflection_{percent}")
         slopes = self._sum([number / self.length for number in self.rod.shapes.at(at, 1)], self.q, f"slope_{percent}")

@@ -76,7 +76,7 @@ class Parts:
 
     @cached_property
     def bent(self) -> dict[str, float]:
-        """Factors by which the sag of each rod from the line between its ends is enlarged, so that it is visible."""
+        """Factors by which the sag of each rod, from the line between its ends, is enlarged."""
         factors = {}
         for part, marks in self.rods.items():
             points = np.array([self.positions[id(mark)] for mark in marks])
@@ -522,7 +522,7 @@ class Parts:
 
 
 def _on_line(points: Array) -> Array:
-    """Return the places of the inner points (k, ..., 3) if they stood evenly on the line from the first to the last."""
+    """Return the inner points (k, ..., 3) evenly on the line from the first to the last."""
     at = np.linspace(0, 1, len(points))[1:-1].reshape(-1, *(1,) * (points.ndim - 1))
     return np.asarray((1 - at) * points[0] + at * points[-1])
 
