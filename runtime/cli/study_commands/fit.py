@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.studies.fitting.moments.moment_fit import MomentFit
 
 
-OF_SERIES = "bandwidth", "order", "zero_phase", "skip"  # options of statistics that are computed
+OF_SERIES = "bandwidth", "order", "zero_phase", "skip", "independent"  # options of statistics
 
 
 @click.command(epilog="Example: hertzwerk fit bouncing_ball --measured drop.csv --free restitution=0.3..1")
@@ -99,6 +99,9 @@ OF_SERIES = "bandwidth", "order", "zero_phase", "skip"  # options of statistics 
     help="Statistic of a run beyond its horizon, with its standard deviation: "
     'slider_pin.impact_rate="412 +- 5 1/s", named as in `hertzwerk sweep --output`. Without a value it is computed from '
     "a column of --measured: acceleration.rms; also .mean, .norm8, .norm32, .largest, .excursions, and of impacts .rate.",
+)
+@click.option(
+    "--independent", is_flag=True, help="Values of --moment were measured one by one (default: in one record)."
 )
 @click.option(
     "--bandwidth",
@@ -217,6 +220,7 @@ def _of_moments(
     order: int | None,
     zero_phase: bool,
     skip: str | None,
+    independent: bool,
     reading: Mapping[str, Any],
     **others: Any,
 ) -> MomentFit:
@@ -281,7 +285,8 @@ def _of_moments(
     }
     chosen = {name: value for name, value in chosen.items() if value}
     wanted = {**stated, **dict.fromkeys(computed)}
-    request = read_moment_fit(model, wanted, _ranges(free, faults), chosen, seed or 0, faults, series)
+    ranges = _ranges(free, faults)
+    request = read_moment_fit(model, wanted, ranges, chosen, seed or 0, faults, series, independent=independent)
     progress.stage("fitting")
     return fitted_moments(request, progress)
 

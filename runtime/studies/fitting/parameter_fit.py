@@ -139,6 +139,7 @@ def fit_moments(
     *,
     free: Mapping[str, Freed] | Sequence[str],
     series: MeasuredSeries | Sequence[MeasuredSeries] = (),
+    independent: bool = False,
     seed: int = 0,
     parameters: Mapping[str, Value] | None = None,
     initial: Mapping[str, Value] | None = None,
@@ -161,6 +162,8 @@ def fit_moments(
                are computed from a measured series: {"acceleration.rms": None}, COLUMN.KIND, with mean, rms, norm8, norm32, largest
                (mean of the largest values in the drives' period), excursions (their rate, as `compare` counts them); of
                measured impacts, {"t.rate": None, "speed.rms": None}, their rate and means over them
+    independent    whether values that are stated were measured one by one: else they are of one record, and correlated as
+               those of a run are
     series     the measured columns, of one series or several,
                MeasuredSeries("long.csv", map={"acceleration": "guide.acceleration"}, bandwidth="5 kHz"), with the values that
                each was measured at: runs are seen through the same instrument at the same spacing, and one function takes the
@@ -182,4 +185,6 @@ def fit_moments(
     several = (series,) if isinstance(series, MeasuredSeries) else series
     if not isinstance(several, list | tuple) or not all(isinstance(one, MeasuredSeries) for one in several):
         raise InputError("fit_moments", [Fault("series", shown(series), "a MeasuredSeries, or a list of them")])
-    return fitted_moments(read_moment_fit(model, moments, free, how, seed, faults, several), progress)
+    return fitted_moments(
+        read_moment_fit(model, moments, free, how, seed, faults, several, independent=independent), progress
+    )

@@ -42,6 +42,7 @@ AROUND = 4.0  # standard errors of a quantity that the next box holds, to each s
 SMALLEST = 0.1  # of the box before
 TOLERANCE = 1e-6  # local, of the runs
 PLACES = 61  # of a profile, over the box
+REGULAR = 1e-3  # of a correlation: least that it is shrunk by
 FAR = 3.0  # deviations of the run at the best fit from the regression that are reported
 
 
@@ -119,11 +120,17 @@ class MomentFitRequest:
     series: tuple[SeriesMoments, ...]  # of the last of the moments, which have no value stated
     how: Mapping[str, Any]
     seed: int
+    independent: bool  # whether stated values are of records of their own, else of one
 
-    @property
-    def covariance(self) -> Array:
-        """Covariance (m, m) of the measured values: stated ones are independent, those of one series are not."""
-        covariance, end = np.diag([moment.deviation**2 for moment in self.moments]), len(self.half_widths)
+    def covariance(self, of_runs: Array) -> Array:
+        """Return the covariance (m, m) of the measured values.
+
+        of_runs    correlation (m, m) of the statistics of a run, which those of one record have
+        """
+        deviations, end = np.array([moment.deviation for moment in self.moments]), len(self.half_widths)
+        covariance: Array = np.diag(deviations**2)
+        if not self.independent:
+            covariance[:end, :end] = (np.outer(deviations, deviations) * of_runs)[:end, :end]
         for one in self.series:
             among = slice(end, end := end + len(one.names))
             covariance[among, among] = one.measured.covariance
@@ -143,9 +150,9 @@ class MomentFitRequest:
 
     @property
     def correlation(self) -> Array:
-        """Correlation (m, m) of the measured values."""
+        """Correlation (m, m) of the measured values, of stated ones none."""
         deviations = np.array([moment.deviation for moment in self.moments])
-        correlation: Array = self.covariance / np.outer(deviations, deviations)
+        correlation: Array = self.covariance(np.eye(len(deviations))) / np.outer(deviations, deviations)
         return correlation
 
 
@@ -157,6 +164,8 @@ def read_moment_fit(
     seed: int,
     before: Sequence[Fault] = (),
     series: Sequence[MeasuredSeries] = (),
+    *,
+    independent: bool = False,
 ) -> MomentFitRequest:
     """Read a fit of moments; raises InputError with every fault but those that a sweep finds.
 
@@ -203,7 +212,7 @@ def read_moment_fit(
     refuse(f"fit of {model.name}", faults)
     if computed:
         how = {"duration": max(one.sight.lasts for one in computed), **how}
-    return MomentFitRequest(model, freed, tuple(stated), tuple(half_widths), computed, how, seed)
+    return MomentFitRequest(model, freed, tuple(stated), tuple(half_widths), computed, how, seed, independent)
 
 
 def _pair(entry: object) -> tuple[Value, Value] | None:
@@ -304,7 +313,9 @@ class _Surface:
         design = np.array([self._features(x) for x in places])
         self.coefficients, *_ = np.linalg.lstsq(design, numbers, rcond=None)
         left = numbers - design @ self.coefficients
-        self.scatter: Array = left.T @ left / (len(places) - design.shape[1])
+        freedom = len(places) - design.shape[1]
+        self.scatter: Array = left.T @ left / freedom
+        self.correlation = correlation_of(self.scatter, noise > 0, freedom)
         more = np.diag(self.scatter) - noise
         shared = np.sqrt(np.maximum(-more, 0.0))
         self.misfit = np.diag(np.maximum(more, 0.0)) + np.outer(shared, shared) * correlation
@@ -335,12 +346,28 @@ class _Surface:
         return np.column_stack(columns)
 
 
+def correlation_of(scatter: Array, varies: NDArray[np.bool_], freedom: int) -> Array:
+    """Return the correlation (m, m) of the statistics of runs that vary (m,), of others none.
+
+    scatter    (m, m) of them, from as many residuals as `freedom`. It is shrunk towards none by the part of it that chance explains:
+               Schaefer, Strimmer, Stat. Appl. Genet. Mol. Biol. 4 (2005) 32, with the variance (1 - r^2)^2/freedom of normal numbers
+    """
+    sizes = np.sqrt(np.where(varies, np.diag(scatter), 0.0))
+    pairs = np.outer(sizes, sizes) > 0
+    np.fill_diagonal(pairs, val=False)
+    r: Array = np.where(pairs, scatter, 0.0) / np.where(pairs, np.outer(sizes, sizes), 1.0)
+    by_chance, squares = float(np.sum((1 - r[pairs] ** 2) ** 2)) / freedom, float(np.sum(r**2))
+    r *= 1 - max(REGULAR, min(by_chance / squares, 1.0) if squares else 1.0)
+    np.fill_diagonal(r, 1.0)
+    return r
+
+
 def _least(request: MomentFitRequest, surface: _Surface) -> tuple[Array, Array, Array]:
     """Return the best place, the covariance of what differs there, and the derivatives of the statistics."""
     from scipy.optimize import least_squares  # slow to import
 
     measured = np.array([moment.value for moment in request.moments])
-    stated = request.covariance
+    stated = request.covariance(surface.correlation)
     low, high = surface.box.T
     best = surface.middle
     for _ in range(3):  # the covariance is that at the best

@@ -2,10 +2,13 @@
 
 import math
 
+import numpy as np
 import pytest
+from scipy.stats import binom, chi2
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import fit_moments, load, simulate
+from hertzwerk.runtime import fit_moments, load, sweep
+from hertzwerk.runtime.studies.fitting.moments import moment_fit
 
 RANGES = {"drop_height": "0.7..1.5 m log", "stiffness": "1e10..4e10 N/m^1.5 log"}
 HOW = {"duration": "0.7 s", "parameters": {"restitution": 1}, "tolerance": 1e-9, "workers": 1}
@@ -70,20 +73,90 @@ def test_runs_that_do_not_finish_say_why(ball):
         fit_moments(ball, {"floor.impulse": "8.9 +- 0.1 N s"}, free=["drop_height"], **HOW, max_steps=3)
 
 
+class Runs:
+    """Table of runs that were made: what `sweep` returns, columns by name."""
+
+    interrupted = False
+
+    def __init__(self, columns):
+        self.columns = columns
+
+    def __getitem__(self, name):
+        return self.columns[name]
+
+    def __iter__(self):
+        return ({"outcome": "finished", "message": ""} for _ in next(iter(self.columns.values())))
+
+
+STATISTICS = {"floor.impact_rate": "1/s", "floor.mean_force": "N", "floor.mean_peak_force": "N"}
+
+
+@pytest.mark.parametrize("independent", [False, True])
+def test_statistics_of_one_record_are_correlated_as_those_of_a_run(independent, ball, monkeypatch):
+    """Each is 1 + h; three with a correlation r have 1 + 2 r of the variance of three that are independent."""
+    r, deviation = 0.9, 0.05
+
+    def made(model, over, *, outputs, sample=1, seed=0, **how):
+        rng = np.random.default_rng(seed)
+        h = rng.uniform(0.7, 1.3, sample)
+        together, own = rng.normal(size=sample), rng.normal(size=(3, sample))
+        chance = 0.1 * deviation * (math.sqrt(r) * together + math.sqrt(1 - r) * own)
+        columns = {"drop_height": h} | dict(zip(outputs, 1 + h + chance, strict=True))
+        return Runs(columns | {f"{name}.half_width": np.full(sample, 0.196 * deviation) for name in outputs})
+
+    monkeypatch.setattr(moment_fit, "sweep", made)
+    moments = {name: f"2 +- {deviation} {unit}" for name, unit in STATISTICS.items()}
+    one = fit_moments(ball, moments, free={"drop_height": "0.7..1.3 m"}, independent=independent)["drop_height"]
+    expected = 1.96 * deviation * math.sqrt((1 if independent else 1 + 2 * r) / 3)
+    assert (one.interval.high - one.interval.low) / 2 == pytest.approx(expected, rel=0.06)
+
+
+def drawn(columns, left, random):
+    """Return a sweep over clearances that draws from runs `left` in each part of the range, without putting back."""
+    places = columns["clearance"]
+
+    def drawing(model, over, *, sample=None, **how):
+        (wanted,) = over.values()
+        if sample is None:  # of a list of one
+            rows = [np.argmin(abs(places - wanted[0][0]))]
+        else:
+            low, high = map(float, wanted.split()[0].split(".."))
+            middles = low + (high - low) * (np.arange(sample) + random.uniform(size=sample)) / sample
+            rows = []
+            for middle in middles:
+                rows.append(min(left, key=lambda k, middle=middle: abs(places[k] - middle)))
+                left.remove(rows[-1])
+        return Runs({name: column[rows] for name, column in columns.items()})
+
+    return drawing
+
+
 @pytest.mark.exhaustive
-def test_a_rattling_pin_returns_its_clearance():
-    """Statistics of one run of 400 revolutions, far beyond its horizon, against runs of 200."""
-    model = load("slider_crank_frictionless")
-    run = simulate(model, duration="400 rev", tolerance=1e-6, parameters={"clearance": "0.5 mm"}, grid=100)
-    names = {
-        "slider_pin.impact_rate": "slider_pin.impact_rate",
-        "slider_pin.peak_force": "slider_pin.mean_peak_force",
-        "slider_pin.dissipated_power": "slider_pin.dissipated_power",
-        "slider_pin.normal_force": "slider_pin.mean_force",
-    }
-    averages = {names[a.name]: a for a in run.averages() if a.name in names}
-    moments = {name: ((a.mean, a.unit), (a.half_width / 2, a.unit)) for name, a in averages.items()}
-    fitted = fit_moments(model, moments, free={"clearance": "0.3..0.7 mm"}, duration="200 rev")
-    print(fitted)
-    assert fitted["clearance"].interval.low < 0.5e-3 < fitted["clearance"].interval.high
-    assert fitted.explained and fitted["clearance"].interval.high - fitted["clearance"].interval.low < 0.2e-3
+def test_intervals_hold_the_clearance_of_a_rattling_pin(monkeypatch):
+    """Runs far beyond their horizon, each once the measured one, against the others as runs of its fit.
+
+    Right intervals of 95 %: binomial, and chi squared for the mean of the squares, are beyond these bounds once in 500.
+    """
+    units = {"impact_rate": "1/s", "mean_peak_force": "N", "dissipated_power": "W", "mean_force": "N"}
+    units = {f"slider_pin.{name}": unit for name, unit in units.items()}
+    model, free, how = load("slider_crank_frictionless"), {"clearance": "0.3..0.7 mm"}, {"duration": "200 rev"}
+    made = sweep(model, free, outputs=list(units), sample=200, tolerance=1e-6, **how)
+    names = ["clearance", *(name + end for name in units for end in ("", ".half_width"))]
+    columns = {name: np.asarray(made[name], dtype=float) for name in names}
+    whole = np.all(np.isfinite(list(columns.values())), axis=0)
+    columns = {name: column[whole] for name, column in columns.items()}
+    places, squares, held = columns["clearance"], [], 0
+    for i in np.flatnonzero((places > 0.37e-3) & (places < 0.63e-3)).tolist():
+        left = [k for k in range(len(places)) if k != i]
+        monkeypatch.setattr(moment_fit, "sweep", drawn(columns, left, np.random.default_rng(i)))
+        moments = {
+            name: ((columns[name][i], unit), (columns[f"{name}.half_width"][i] / 1.96, unit))
+            for name, unit in units.items()
+        }
+        one = fit_moments(model, moments, free=free, **how)["clearance"]
+        deviation = (one.interval.high - one.interval.low) / 2 / 1.96
+        squares.append(((one.value - places[i]) / deviation) ** 2)
+        held += one.interval.low <= places[i] <= one.interval.high
+    print("held", held, "of", len(squares), "mean square", np.mean(squares))
+    assert binom.cdf(held, len(squares), 0.95) > 0.002
+    assert chi2.cdf(sum(squares), len(squares)) < 0.998
