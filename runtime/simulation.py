@@ -411,13 +411,14 @@ class Solution(plain_solution.EngineSolution):
         )
 
     def plot(self, *names: str | Sequence[str]) -> Figure:
-        """Draw the overview, one contact pair, or the named histories, also a list of them.
+        """Draw the overview, one contact pair, a pair's wear, or the named histories, also a list of them.
 
         Raises KeyError for an unknown name.
         """
         wanted = list(chain.from_iterable(x if isinstance(x, list | tuple) else [x] for x in names))
+        worn = [name for name, kind, _ in self.engine.model.module.EFFECTS if kind == "wear"]
         for name in wanted:
-            if not isinstance(name, str) or name not in (*self.engine.model.pairs, *self):
+            if not isinstance(name, str) or name not in (*self.engine.model.pairs, *worn, *self):
                 self[name]
         from hertzwerk.runtime.output.plots import plot_run as plot
 

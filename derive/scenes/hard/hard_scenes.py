@@ -57,6 +57,7 @@ from hertzwerk.derive.laws.law import BoundLaw, DampingLaw
 from hertzwerk.derive.scenes.hard.cone_and_resistances import AT_LIMITS
 from hertzwerk.derive.scenes.hard.coupled_shafts import COUPLED
 from hertzwerk.derive.scenes.hard.slips_at_lift_off import LATE_SLIPS
+from hertzwerk.derive.scenes.hard.worn_surfaces import WORN
 
 _MASS = Parameter("mass", "kg", 1)
 _RADIUS = Parameter("radius", "m", 0.02)
@@ -563,6 +564,7 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
     **COUPLED,
     **AT_LIMITS,
     **LATE_SLIPS,
+    **WORN,
     "incline_coulomb": lambda: incline(coulomb(_FRICTION, _STATIC)),
     "incline_lugre": lambda: incline(_BRISTLES),
     "incline_smooth_coulomb": lambda: incline(smooth_coulomb(_FRICTION, _LAYER)),

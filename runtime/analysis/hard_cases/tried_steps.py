@@ -122,6 +122,8 @@ TRIES: dict[str, dict[str, int]] = {
     "clearance_1um": {"dopri5": 8308, "dop853": 4521, "rodas": 10226, "esdirk": 6045, "auto": 4521},
     "clearance_5mm": {"dopri5": 13777, "dop853": 5133, "rodas": 7914, "esdirk": 8527, "auto": 5133},
     "thin_friction_layer": {"dopri5": 3343, "dop853": 5713, "rodas": 49903, "esdirk": 4189, "auto": 5713},
+    "worn_through": {"dopri5": 961, "dop853": 397, "rodas": 1171, "esdirk": 685, "auto": 397},
+    "worn_until_unloaded": {"dopri5": 1591, "dop853": 754, "rodas": 183, "esdirk": 162, "auto": 165},
     "thousand_revolutions": {"dopri5": 885876, "dop853": 471663, "rodas": 1042371, "esdirk": 671134, "auto": 459564},
     "incline_holds_smooth": {"rodas": 72, "esdirk": 73, "auto": 84},
     "incline_slides_smooth": {"dopri5": 10899, "dop853": 2052, "rodas": 19, "esdirk": 19, "auto": 85},
@@ -202,7 +204,7 @@ TRIES: dict[str, dict[str, int]] = {
     "bounces_with_resistances": {"dopri5": 981, "dop853": 407, "rodas": 772, "esdirk": 624, "auto": 276},
     "slips_before_lift_off_in_space": {"dopri5": 196, "dop853": 79, "rodas": 207, "esdirk": 179, "auto": 79},
     "slips_before_lift_off_beside_wall": {"dopri5": 174, "dop853": 83, "rodas": 206, "esdirk": 160, "auto": 83},
+    "slides_until_its_law_pulls": {"dopri5": 139, "dop853": 91, "rodas": 109, "esdirk": 110, "auto": 91},
     "peak_beside_a_landing": {"dopri5": 5002, "dop853": 1662, "rodas": 3976, "esdirk": 3975, "auto": 1662},
     "slips_as_it_rolls_off_centre": {"dopri5": 1255, "dop853": 562, "rodas": 1526, "esdirk": 992, "auto": 562},
-    "slides_until_its_law_pulls": {"dopri5": 139, "dop853": 91, "rodas": 109, "esdirk": 110, "auto": 91},
 }

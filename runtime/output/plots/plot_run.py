@@ -35,6 +35,7 @@ from hertzwerk.runtime.output.plots.plot_panel import (
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, STYLE, VERMILLION
 from hertzwerk.runtime.output.plots.save_figure import save_png
 from hertzwerk.runtime.output.plots.unit_prefixes import Scale, scale_of
+from hertzwerk.runtime.output.plots.worn_contours import plot_wear, wears
 from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ Panel: TypeAlias = Callable[["Axes", Curves], object]
 
 
 def plot(run: EngineSolution, *names: str) -> Figure:
-    """Draw the overview of a run, one contact pair's page, or other histories by name.
+    """Draw the overview of a run, the page of a contact pair or of its wear, or other histories by name.
 
     Raises KeyError for an unknown name.
     """
@@ -63,6 +64,8 @@ def plot(run: EngineSolution, *names: str) -> Figure:
         return overview(run)
     if len(names) == 1 and names[0] in run.engine.model.pairs:
         return pair(run, names[0])
+    if len(names) == 1 and names[0] in wears(run):
+        return plot_wear(run, names[0])
     return histories(run, *names)
 
 
@@ -98,6 +101,7 @@ def pages(run: EngineSolution) -> dict[str, Callable[[Path], None]]:
 
     figures: dict[str, Callable[[], Figure]] = {"overview": partial(overview, run)}
     figures |= {name: partial(pair, run, name) for name in run.engine.model.pairs}
+    figures |= {name: partial(plot_wear, run, name) for name in wears(run)}
 
     def save(name: str, path: Path) -> None:
         save_png(figures[name](), path)

@@ -1,4 +1,4 @@
-"""Slider-crank with a clearance joint: extreme clearances and speeds, dead centres, long runs."""
+"""Slider-crank with a clearance joint: extreme clearances and speeds, dead centres, long runs; and wear."""
 
 from __future__ import annotations
 
@@ -8,8 +8,11 @@ from hertzwerk.runtime.analysis.hard_cases.case import REFERENCED, HardCase, Kno
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 SMOOTH, ROUGH = Source("slider_crank_frictionless"), Source("slider_crank")
+WORN, PRESSED = 9.853558871621333878e-4, 0.2440277658189568107  # m, N
+LINEAR = "matrix exponential of pad, spring, stiffness and wear, by mpmath at 40 digits"
 QUAD = "quadruple precision, tests/reference/programs/slider_crank_quad.cpp"
 
 
@@ -33,6 +36,11 @@ def _near_ideal(clearance: float) -> Known:
         1.2 * clearance,
         "whole revolutions: the ideal mechanism, within clearance and penetration",
     )
+
+
+def _archard(run: EngineSolution) -> float:
+    """Volume lost over the force integrated over the sliding distance [1/Pa]."""
+    return float(run["wear.volume"][-1] / run["wear.load_path"][-1])
 
 
 CASES = (
@@ -86,6 +94,37 @@ CASES = (
                 "energy",
             ): "its steps cross the layer, thinner than the tolerance, at every reversal of sliding: twice the limit"
         },
+    ),
+    HardCase(
+        name="worn_through",
+        theme="wear",
+        hard="pin and bush lose a fifth of the clearance within half a revolution",
+        source=Source("worn_crank", hard=True),
+        duration=0.006,
+        tolerance=1e-8,
+        parameters={"repetitions": (1e6, "1")},
+        known=(
+            Known(
+                "volume over force and sliding",
+                _archard,
+                2e-9,
+                1e-20,
+                "1/Pa",
+                "Archard's law, twice 1e-6 mm^3/(N m) 1e6 times",
+            ),
+        ),
+    ),
+    HardCase(
+        name="worn_until_unloaded",
+        theme="wear",
+        hard="a pad that its spring presses ever less: nothing but wear brings its force to zero",
+        source=Source("worn_pad", hard=True),
+        duration=5.0,
+        tolerance=1e-8,
+        known=(
+            final("wear.depth", WORN, 1e-10, LINEAR),
+            final("floor.normal_force", PRESSED, 1e-3, LINEAR),
+        ),
     ),
     HardCase(
         name="thousand_revolutions",

@@ -16,6 +16,7 @@ from hertzwerk.runtime.engine.solution.solution import EngineRun
 from hertzwerk.runtime.output.plots import curves
 from hertzwerk.runtime.output.plots.picture_samples import dense
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
+from hertzwerk.runtime.output.plots.worn_contours import COLOURS, INSTANTS, contour, worn_surfaces
 
 C = 0.5e-3  # clearance [m]
 
@@ -165,3 +166,24 @@ def test_an_overview_shows_friction_in_joints_and_names_whose_work_it_draws():
     assert "Friction force of drag" in shown
     assert "work, motor" in shown
     assert "drives" not in shown
+
+
+def test_the_page_of_a_wear_has_its_contours():
+    """Between the sectors the contour is that of the gap: the clearance in the direction of the pin, and the depth there."""
+    run = simulate("worn_slider_crank", duration="2 ms", tolerance=1e-7, parameters={"repetitions": (1e5, "1")})
+    surfaces = worn_surfaces(run, "wear")
+    assert {name: depths.shape for name, depths in surfaces.items()} == dict.fromkeys(COLOURS, (32, len(run.t)))
+    row = int(np.argmax(run["slider_pin.normal_force"]))
+    x, y = run["slider_pin.eccentricity_x"][row], run["slider_pin.eccentricity_y"][row]
+    toward = np.arctan2(y, x)
+    of_pin = toward - run["rod.angle"][row]
+    depth = sum(
+        contour(surfaces[name][:, row], np.array([angle]))[0] for name, angle in (("bush", toward), ("pin", of_pin))
+    )
+    assert depth > 1e-9
+    assert run["slider_pin.penetration"][row] == pytest.approx(np.hypot(x, y) - 5e-4 - depth, abs=1e-13)
+    figure = run.plot("wear")
+    contours, unrolled, volume = figure.axes
+    assert "depth enlarged" in contours.get_title()
+    assert len(contours.lines) == 2 * (1 + INSTANTS) and len(unrolled.lines) == 2 * INSTANTS
+    assert volume.lines[0].get_ydata()[-1] == pytest.approx(run["wear.volume"][-1] * 1e9)

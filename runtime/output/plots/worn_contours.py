@@ -1,0 +1,114 @@
+"""Picture of a wear: contours of pin and bush, their depth enlarged, as they grow; depth over the angle."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+
+from hertzwerk.runtime.engine.run.continuation import parameters_of
+from hertzwerk.runtime.output.plots.arrangement import Arrangement
+from hertzwerk.runtime.output.plots.curves import Curves
+from hertzwerk.runtime.output.plots.plot_panel import caption, over_time
+from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, STYLE, VERMILLION
+from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
+from hertzwerk.runtime.system.arrays import Array
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
+
+INSTANTS, ANGLES = 5, np.linspace(0, 2 * np.pi, 721)
+SHOWN, APART = 0.25, 0.2  # of the bush's radius: deepest as shown, and clearance as shown
+COLOURS = {"bush": BLUE, "pin": VERMILLION}
+
+
+def wears(run: EngineSolution) -> list[str]:
+    """Names of the wears of pins and bushes."""
+    effects = run.engine.model.module.EFFECTS
+    return [name for name, kind, _ in effects if kind == "wear" and worn_surfaces(run, name)]
+
+
+def worn_surfaces(run: EngineSolution, wear: str) -> dict[str, Array]:
+    """Depths (sectors, times) [m] of the surfaces that wear by sectors, by name; empty for wear at one spot."""
+    names = {
+        surface: [f"{wear}.{surface}_{k + 1}" for k in range(len(run.engine.model.coordinates))] for surface in COLOURS
+    }
+    known = {surface: [name for name in of if name in run.engine.model.coordinates] for surface, of in names.items()}
+    return {surface: np.array([run[name] for name in of]) for surface, of in known.items() if of}
+
+
+def contour(depths: Array, angles: Array) -> Array:
+    """Depth at angles (n,) [rad] between the sectors (sectors, ...), by the shares of a wear's sectors: (n, ...)."""
+    count = len(depths)
+    half = (angles[:, None] - 2 * np.pi * np.arange(count) / count) / 2
+    shares = (np.sinc(count / (2 * np.pi) * half) / np.sinc(half / np.pi)) ** 4
+    between: Array = (shares / shares.sum(axis=1, keepdims=True)) @ depths
+    return between
+
+
+def plot_wear(run: EngineSolution, wear: str) -> Figure:
+    """Draw the worn contours at five instants, the depth over the angle, and the volume lost."""
+    curves, surfaces = Curves.of(run), worn_surfaces(run, wear)
+    rows = np.unique(np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], INSTANTS + 1)[1:]))
+    lines = {name: contour(depths[:, rows], ANGLES) for name, depths in surfaces.items()}
+    deepest = max(float(of.max()) for of in lines.values()) or 1.0
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(12.5, 6.4), layout=Arrangement())
+        grid = figure.add_gridspec(2, 2, width_ratios=(1.05, 1))
+        _around(figure.add_subplot(grid[:, 0]), run, wear, lines, deepest)
+        _unrolled(figure.add_subplot(grid[0, 1]), lines)
+        below = figure.add_subplot(grid[1, 1])
+        volume = curves[f"{wear}.volume"] * 1e9
+        below.plot(curves.time(curves.t), volume, color=GREY)
+        below.set_ylim(bottom=0)
+        over_time(below, curves, "Volume lost [mm³]")
+        text = next(text for name, _, text in run.engine.model.module.EFFECTS if name == wear)
+        caption(figure, run, f"{wear}, {text}", curves.notes)
+    return figure
+
+
+def _around(axis: Axes, run: EngineSolution, wear: str, lines: dict[str, Array], deepest: float) -> None:
+    """Draw the contours around the axis, one for each instant, the last one heavy."""
+    circle = np.stack([np.cos(ANGLES), np.sin(ANGLES)])
+    for name, of in lines.items():
+        radius, outwards = (1.0, 1) if name == "bush" else (1 - APART, -1)
+        axis.plot(*(radius * circle), color=GREY, linewidth=0.8, linestyle=(0, (3, 2)))
+        for i, depth in enumerate(of.T):
+            share = (i + 1) / of.shape[1]
+            r = radius + outwards * SHOWN * depth / deepest
+            axis.plot(
+                *(r * circle), color=COLOURS[name], alpha=0.2 + 0.8 * share**2, label=name if share == 1 else None
+            )
+    axis.set(aspect="equal", xticks=[], yticks=[], xlim=(-1.35, 1.35), ylim=(-1.35, 1.35))
+    axis.grid(visible=False)
+    axis.spines[:].set_visible(False)
+    factor = SHOWN * _radius(run, wear) / deepest
+    axis.set_title(f"Contours at {of.shape[1]} instants, depth enlarged {float(f'{factor:.2g}'):.6g} times")
+    axis.legend(loc="center")
+
+
+def _unrolled(axis: Axes, lines: dict[str, Array]) -> None:
+    """Draw the depth over the angle, one line for each instant."""
+    scale = scale_of("m", max(float(of.max()) for of in lines.values()))
+    for name, of in lines.items():
+        for i, depth in enumerate(of.T):
+            share = (i + 1) / of.shape[1]
+            axis.plot(np.degrees(ANGLES), scale(depth), color=COLOURS[name], alpha=0.2 + 0.8 * share**2)
+    axis.set(xticks=np.arange(0, 361, 60), xlim=(0, 360), xlabel="angle in the surface's own axes [degree]")
+    axis.set_ylim(bottom=0)
+    axis.set_title(f"Depth [{scale.unit}]")
+
+
+def _radius(run: EngineSolution, wear: str) -> float:
+    """Radius of the bush [m]."""
+    model = run.engine.model
+    text = next(text for name, _, text in model.module.EFFECTS if name == wear)
+    sizes = model.landmarks(model.bind(parameters_of(run, model)).p)
+    rows = zip(model.module.LANDMARKS, sizes, strict=True)
+    return next(
+        float(size[3]) for (pair, _, place, *_), size in rows if place == "bush" and text.endswith(f" at {pair}")
+    )
