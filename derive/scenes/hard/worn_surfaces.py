@@ -1,4 +1,4 @@
-"""Hard scenes of surfaces that wear: a joint that loses a fifth of its clearance, a pad worn until nothing presses it.
+"""Hard scenes of wear: a joint that loses a fifth of its clearance, a pad worn until it is free.
 
 Derived when run, never committed.
 """

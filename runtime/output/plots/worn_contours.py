@@ -1,4 +1,4 @@
-"""Picture of a wear: contours of pin and bush, their depth enlarged, as they grow; depth over the angle."""
+"""Picture of a wear: contours of pin and bush as they grow, enlarged; depth over the angle; volume."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def wears(run: EngineSolution) -> list[str]:
 
 
 def worn_surfaces(run: EngineSolution, wear: str) -> dict[str, Array]:
-    """Depths (sectors, times) [m] of the surfaces that wear by sectors, by name; empty for wear at one spot."""
+    """Depths (sectors, times) [m] of pin and bush by name, of those that wear; empty for one spot."""
     names = {
         surface: [f"{wear}.{surface}_{k + 1}" for k in range(len(run.engine.model.coordinates))] for surface in COLOURS
     }
@@ -42,7 +42,7 @@ def worn_surfaces(run: EngineSolution, wear: str) -> dict[str, Array]:
 
 
 def contour(depths: Array, angles: Array) -> Array:
-    """Depth at angles (n,) [rad] between the sectors (sectors, ...), by the shares of a wear's sectors: (n, ...)."""
+    """Depth (n, ...) at angles (n,) [rad] between sectors (sectors, ...), by their shares."""
     count = len(depths)
     half = (angles[:, None] - 2 * np.pi * np.arange(count) / count) / 2
     shares = (np.sinc(count / (2 * np.pi) * half) / np.sinc(half / np.pi)) ** 4

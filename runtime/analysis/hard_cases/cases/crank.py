@@ -1,4 +1,4 @@
-"""Slider-crank with a clearance joint: extreme clearances and speeds, dead centres, long runs; and wear."""
+"""Slider-crank with clearance: extreme clearances and speeds, dead centres, long runs; and wear."""
 
 from __future__ import annotations
 

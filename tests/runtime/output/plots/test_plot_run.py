@@ -184,6 +184,6 @@ def test_the_page_of_a_wear_has_its_contours():
     assert run["slider_pin.penetration"][row] == pytest.approx(np.hypot(x, y) - 5e-4 - depth, abs=1e-13)
     figure = run.plot("wear")
     contours, unrolled, volume = figure.axes
-    assert "depth enlarged" in contours.get_title()
+    assert "depth enlarged" in contours.get_title(loc="left")
     assert len(contours.lines) == 2 * (1 + INSTANTS) and len(unrolled.lines) == 2 * INSTANTS
     assert volume.lines[0].get_ydata()[-1] == pytest.approx(run["wear.volume"][-1] * 1e9)
