@@ -57,7 +57,7 @@ from hertzwerk.derive.laws.law import BoundLaw, DampingLaw
 from hertzwerk.derive.scenes.hard.cone_and_resistances import AT_LIMITS
 from hertzwerk.derive.scenes.hard.coupled_shafts import COUPLED
 from hertzwerk.derive.scenes.hard.slips_at_lift_off import LATE_SLIPS
-from hertzwerk.derive.scenes.hard.worn_surfaces import WORN
+from hertzwerk.derive.scenes.hard.worn_joint_and_pad import WORN
 
 _MASS = Parameter("mass", "kg", 1)
 _RADIUS = Parameter("radius", "m", 0.02)
