@@ -26,6 +26,7 @@ from hertzwerk.derive.laws.law import (
     d,
     eps_c,
     eps_w,
+    h,
     k_t,
     s,
     v,
@@ -329,7 +330,7 @@ def _bristle(trial: Trial) -> Iterator[Fault]:
 def _film(trial: Trial) -> Iterator[Fault]:
     law = trial.law
     for along, across in ((0, 0), (0.3, 0.2), (-0.6, 0.4), (0.1, -0.85), (0.85, 0)):
-        state = {eps_w: mpf(along), eps_c: mpf(across)}
+        state = {eps_w: mpf(along), eps_c: mpf(across), h: (1 - mpf(along)) / 10**4}
         values = with_definitions(law, {q: x for q, x in trial.values.items() if q not in STATE} | state)
         for component, expression in (("along", law.along), ("across", law.across), ("couple", law.couple)):
             value = number(expression, values)

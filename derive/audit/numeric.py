@@ -31,6 +31,7 @@ SPANS_OF_SYMBOLS: dict[str, tuple[float, float]] = {
     "v_b": (0.1, 1),
     "epsilon_w": (0.05, 0.65),
     "epsilon_c": (0.05, 0.65),
+    "h": (1e-7, 1e-3),
 }
 SPANS_OF_UNITS: dict[str, tuple[float, float]] = {
     "1": (0.05, 0.9),

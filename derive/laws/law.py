@@ -49,7 +49,8 @@ s = Quantity("s", "m/s", "sliding velocity")
 z = Quantity("z", "m", "bristle deflection")
 eps_w = Quantity("epsilon_w", "1", "eccentricity over clearance, along the squeeze velocity")
 eps_c = Quantity("epsilon_c", "1", "eccentricity over clearance, across it, a quarter turn on about the axis")
-STATE = (d, v, v0, F, k_t, N, s, z, eps_w, eps_c)
+h = Quantity("h", "m", "thickness of the film between a sphere and what it nears")
+STATE = (d, v, v0, F, k_t, N, s, z, eps_w, eps_c, h)
 
 # Supplied by a pair, once per run.
 R_eff = Quantity("R_eff", "m", "radius of relative curvature of the pair", POSITIVE)
@@ -359,11 +360,12 @@ class FrictionLaw(Law):
 
 @dataclass(frozen=True)
 class FilmLaw(Law):
-    """Resistances of a fluid film between pin and bush, per unit of velocity.
+    """Resistances of a fluid film per unit of velocity, between pin and bush or before a sphere.
 
-    They depend on the position of the pin in the bush alone (`eps_w`, `eps_c`).
+    Of a pin they depend on its position in the bush alone (`eps_w`, `eps_c`), of a sphere on the thickness `h`; it has
+    the first alone.
 
-    along   force against the squeeze velocity [N s/m]
+    along   force against the squeeze velocity, or against the approach of a sphere [N s/m]
     across  force against the direction a quarter turn on from it, about the axis [N s/m]
     couple  couple against the spin of the pin in the bush [N m s]
     """
@@ -376,11 +378,14 @@ class FilmLaw(Law):
 
     @property
     def forces(self) -> tuple[sp.Expr, ...]:
-        """The three resistances."""
-        return self.along, self.across, self.couple
+        """The resistances, one or three."""
+        return (self.along,) if self.forms == ("point",) else (self.along, self.across, self.couple)
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
         """Yield the resistances along and across the squeeze velocity, and against the spin."""
+        if self.forms == ("point",):
+            yield "drag against the approach", self.along, "N s/m"
+            return
         yield "drag along the squeeze velocity", self.along, "N s/m"
         yield "drag across the squeeze velocity", self.across, "N s/m"
         yield "drag against the spin", self.couple, "N m s"

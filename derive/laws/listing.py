@@ -13,7 +13,7 @@ _HEADINGS = {
     "stiffness": "Stiffness laws: the elastic normal force F(d)",
     "damping": "Damping laws: the dissipative part of the normal force",
     "friction": "Friction laws: the force against sliding",
-    "film": "Film laws: the oil between a pin and its bush",
+    "film": "Film laws: the oil between a pin and its bush, or before a sphere",
 }
 _NOT_CONSISTENT = {
     "inconsistent": "its units are inconsistent",

@@ -267,6 +267,7 @@ _RESULTS = {
     "friction force": "F_t",
     "slope of the friction force at rest": "c_0",
     "force held at rest": "F_s",
+    "drag against the approach": "D",
     "drag along the squeeze velocity": "D_w",
     "drag across the squeeze velocity": "D_c",
     "drag against the spin": "D_spin",

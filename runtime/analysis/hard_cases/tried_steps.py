@@ -60,6 +60,7 @@ TRIES: dict[str, dict[str, int]] = {
         "cvodes": 555,
         "idas": 555,
     },
+    "through_a_nanometre_of_oil": {"dopri5": 198, "dop853": 124, "rodas": 203, "esdirk": 176, "auto": 124},
     "drop_to_rest": {"dopri5": 17885, "dop853": 21478, "rodas": 2785, "esdirk": 27485, "auto": 21478},
     "many_bounces_to_rest": {"dopri5": 13435, "dop853": 7521, "rodas": 13024, "esdirk": 20866, "auto": 7521},
     "bounces_accumulate": {"dopri5": 30310, "dop853": 36394, "rodas": 1527, "esdirk": 64475, "auto": 36394},

@@ -1,4 +1,4 @@
-"""Hydrodynamic lubrication of a pin in its bush, with transition to dry contact.
+"""Hydrodynamic lubrication of a pin in its bush or before a sphere, with transition to dry contact.
 
 The film is a force of its own, in flight as in contact. While it is thicker than two boundary layers (the height of
 the asperities) it is that of its law. Closer, the eccentricity passed to the law is limited, so that the film never
@@ -15,12 +15,13 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
+from hertzwerk.derive.common.faults import Fault
 from hertzwerk.derive.declare.effects.effect import Declared, Element, Kinematics, PairEffect, together
 from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.expressions.algebra.vectors import Vector, add, cross, dot, scale, sub
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
 from hertzwerk.derive.expressions.parameter import POSITIVE, Interval, Scalar, Slot, is_number
-from hertzwerk.derive.laws.law import BoundLaw, eps_c, eps_w
+from hertzwerk.derive.laws.law import BoundLaw, eps_c, eps_w, h
 
 QUANTITIES = {
     "axis": ("a", "", "axis of the bush"),
@@ -47,7 +48,10 @@ QUANTITIES = {
     "drag_along": ("D", "w", "drag of the film along the squeeze velocity"),
     "drag_across": ("D", r"\perp", "drag of the film across the squeeze velocity"),
     "drag_spin": ("D", r"\Omega", "drag of the film against the spin"),
-    "force": ("F", r"\mathrm{film}", "force of the film on the pin"),
+    "drag": ("D", "", "drag of the film against the approach"),
+    "load": ("F", r"\mathrm{film}", "force of the film along the normal"),
+    "thickness": ("h", "", "thickness of the film, no less than a boundary layer"),
+    "force": ("F", r"\mathrm{film}", "force of the film on the first body"),
     "couple": ("T", r"\mathrm{film}", "couple of the film on the pin"),
 }
 SOUGHT = (
@@ -61,6 +65,9 @@ SOUGHT = (
     "share",
     "drag_along",
     "drag_across",
+    "drag",
+    "load",
+    "thickness",
     "force",
     "couple",
 )
@@ -70,7 +77,8 @@ SOUGHT = (
 class Lubrication(PairEffect):
     """Film of one pair; `boundary_layer` [m] is the thickness at which the asperities meet.
 
-    It is less than half the clearance.
+    In a bush it is less than half the clearance. `cavitation` is of spheres alone: the film ruptures while it opens, and has
+    no force, by Gümbel's condition as by Reynolds'; without it the film pulls. A law of pin and bush has its own.
     """
 
     name: str
@@ -78,6 +86,7 @@ class Lubrication(PairEffect):
     law: BoundLaw
     boundary_layer: Scalar
     unchecked: bool = False
+    cavitation: bool = False
     kind: ClassVar[str] = "lubrication"
     takes: ClassVar[Mapping[str, str]] = {"law": "film"}
     quantities: ClassVar[Mapping[str, tuple[str, str, str]]] = QUANTITIES
@@ -87,7 +96,8 @@ class Lubrication(PairEffect):
     @property
     def text(self) -> str:
         """Description for people."""
-        return f"{self.law.law.name} film at {self.pair}" + (", UNCHECKED" if self.unchecked else "")
+        ruptures = ", none while it opens," if self.cavitation else ""
+        return f"{self.law.law.name} film{ruptures} at {self.pair}" + (", UNCHECKED" if self.unchecked else "")
 
     @property
     def section(self) -> str:
@@ -104,22 +114,26 @@ class Lubrication(PairEffect):
                 Interval(0, 0.5, open_left=True, open_right=True),
             )  # fmt: skip
 
+    def faults(self, scene: Declared) -> Iterator[Fault]:
+        """Yield faults of a pair that is missing or not the law's, and of a journal's cavitation."""
+        yield from super().faults(scene)
+        if self.cavitation and self.law.law.forms != ("point",):
+            yield Fault(f"{self.where}, cavitation", f"cavitation=True with {self.law.law.name}", "a law of spheres, such as sphere_film",
+                        "The laws of pin and bush have a cavitation of their own: leave it out.")  # fmt: skip
+
     def element(self, kin: Kinematics) -> Element:
         """Element of the film; outputs: size of its force [N], least thickness [m].
 
         The thickness is at least a boundary layer.
         """
-        return _Film(self, kin).element()
+        return (_Squeeze if self.law.law.forms == ("point",) else _Journal)(self, kin).element()
 
 
 class _Film:
-    """Film on the tape: force midway between the centres, couple, and dissipated power."""
+    """Film on the tape."""
 
     def __init__(self, effect: Lubrication, kin: Kinematics) -> None:
         self.effect, self.kin = effect, kin
-        self.touch = kin.journal(effect.pair)
-        self.clearance = sp.sympify(self.touch.pair.clearance)
-        self.layer = sp.sympify(effect.boundary_layer) / self.clearance
 
     def let(self, expression: Any, label: str, stated: str = "") -> Any:
         """Name a result on the tape; with an unchecked law it has the stated unit."""
@@ -129,6 +143,60 @@ class _Film:
     def named(self, vector: Vector, label: str) -> Vector:
         """Name a vector on the tape."""
         return self.kin.tape.vector(vector, f"{self.effect.name}_{label}")
+
+    def resistances(self, state: dict[sp.Symbol, Any]) -> list[Any]:
+        """Resistances by the law in a state of the film."""
+        bound = self.effect.law
+        geometry = self.kin.scene.geometry(self.effect.pair)
+        values = state | bound.binding | {quantity: geometry[quantity.name] for quantity in bound.law.geometry}
+        for symbol, expression in bound.law.definitions:
+            values[symbol] = self.let(expression.xreplace(values), symbol.name, symbol.unit)
+        names = ("drag_along", "drag_across", "drag_spin") if len(bound.law.forces) > 1 else ("drag",)
+        return [
+            self.let(expression.xreplace(values), name, unit)
+            for name, (_, expression, unit) in zip(names, bound.law.expressions(), strict=True)
+        ]
+
+    def limited(self, thinning: Any) -> Any:
+        """Share of two layers that a film has lost below this thickness: from 0 to 1/2.
+
+        It begins with slope 1 and ends with 0, and with no curvature at either.
+        """
+        return thinning * (1 - thinning**2 * (1 - thinning / 2))
+
+    def share(self, within: Any, sinking: Any) -> Any:
+        """Share of the film that is left in contact: none beyond a penetration of one layer."""
+        return self.let(Where(within, 1 - sinking**2 * (3 - 2 * sinking), 0), "share")
+
+
+class _Squeeze(_Film):
+    """Film before a sphere: force along the normal, at the sphere's centre, and dissipated power."""
+
+    def element(self) -> Element:
+        """Forces, dissipated power, outputs."""
+        touch, layer = self.kin.touch(self.effect.pair), sp.sympify(self.effect.boundary_layer)
+        depth, approach = touch.penetration, touch.penetration_rate
+        thinning = self.let(Where(depth < 0, Where(-depth < 2 * layer, 1 + depth / (2 * layer), 0), 1), "thinning")
+        lost = 2 * layer * (1 - self.limited(thinning))
+        thickness = self.let(Where(-depth < 2 * layer, lost, -depth), "thickness")
+        sinking = self.let(Where(depth > 0, depth / layer, 0), "sinking")
+        (drag,) = self.resistances({h: thickness})
+        load = self.share(depth < layer, sinking) * drag * approach
+        load = self.let(Where(approach > 0, load, 0) if self.effect.cavitation else load, "load")
+        force = self.named(scale(load, touch.normal), "force")
+        forces = self.kin.generalised(force, touch.position, touch.first.body, touch.second.body, self.effect.name)
+        outputs = (f"{self.effect.name}.force", "N", sp.Abs(load)), (f"{self.effect.name}.thickness", "m", thickness)
+        return Element(forces, dissipated=self.let(load * approach, "power"), outputs=outputs)
+
+
+class _Journal(_Film):
+    """Film between pin and bush: force midway between the centres, couple, and dissipated power."""
+
+    def __init__(self, effect: Lubrication, kin: Kinematics) -> None:
+        super().__init__(effect, kin)
+        self.touch = kin.journal(effect.pair)
+        self.clearance = sp.sympify(self.touch.pair.clearance)
+        self.layer = sp.sympify(effect.boundary_layer) / self.clearance
 
     def element(self) -> Element:
         """Forces, dissipated power, outputs."""
@@ -174,28 +242,16 @@ class _Film:
         # not of the centre, where a root has no derivative
         ratio = self.let(sp.sqrt(Where(squared > free**2, squared, free**2)), "epsilon")
         thinning = self.let(Where(squared < 1, (ratio - free) / (2 * layer), 1), "thinning")
-        # from 1 - 2 layer to 1 - layer, with slope 1 at the one end and 0 at the other, and no curvature at either
-        limited = self.let(free + 2 * layer * thinning * (1 - thinning**2 * (1 - thinning / 2)), "limited")
+        limited = self.let(free + 2 * layer * self.limited(thinning), "limited")
         sinking = self.let(Where(squared > 1, (ratio - 1) / layer, 0), "sinking")
-        share = Where(squared < (1 + layer) ** 2, 1 - sinking**2 * (3 - 2 * sinking), 0)
-        return self.let(limited / (ratio * clearance), "per_e"), self.let(share, "share")
+        per_e = self.let(limited / (ratio * clearance), "per_e")
+        return per_e, self.share(squared < (1 + layer) ** 2, sinking)
 
     def _drags(self, squeeze: Vector, across: Vector, near: Any) -> list[Any]:
         """Drags by the law at the position of the pin: along, across, against the spin."""
-        bound, e = self.effect.law, self.touch.eccentricity
+        e = self.touch.eccentricity
         squared = self.let(dot(squeeze, squeeze), "squeeze_squared")
         pace = sp.sympify(self.kin.scene.scales.speed)
         nonzero = self.let(sp.sqrt(Where(squared > 0, squared, pace**2)), "squeeze_speed")
-        values: dict[sp.Symbol, Any] = {
-            eps_w: self.let(near * dot(e, squeeze) / nonzero, "epsilon_w"),
-            eps_c: self.let(near * dot(e, across) / nonzero, "epsilon_c"),
-            **bound.binding,
-        }
-        geometry = self.kin.scene.geometry(self.effect.pair)
-        values |= {quantity: geometry[quantity.name] for quantity in bound.law.geometry}
-        for symbol, expression in bound.law.definitions:
-            values[symbol] = self.let(expression.xreplace(values), symbol.name, symbol.unit)
-        return [
-            self.let(expression.xreplace(values), f"drag_{name}", unit)
-            for name, (_, expression, unit) in zip(("along", "across", "spin"), bound.law.expressions(), strict=True)
-        ]
+        along, beside = (near * dot(e, direction) / nonzero for direction in (squeeze, across))
+        return self.resistances({eps_w: self.let(along, "epsilon_w"), eps_c: self.let(beside, "epsilon_c")})

@@ -151,6 +151,24 @@ def _masses(striker: float, target: float, label: str, hard: str) -> HardCase:
     )
 
 
+def _through_film() -> HardCase:
+    per, layer = 6 * math.pi * 0.2 * 0.01**2 / 0.0327, 1e-9
+    lost = per * (math.log(0.5e-3 / (2 * layer)) + 1.615448332425325)
+    return HardCase(
+        name="through_a_nanometre_of_oil",
+        theme="impacts",
+        hard="a film that thins from 0.5 mm to 1 nm, its drag over six decades, then dry contact ten thousand times as deep",
+        source=Source("ball_on_oil"),
+        duration=0.008,
+        tolerance=TOLERANCE,
+        parameters={"boundary_layer": "1 nm"},
+        known=(
+            contacts(1, "one impact: a film that opens has ruptured"),
+            impact(0, "speed", 0.3 - lost, 1e-6 * 0.3, "Reynolds' film: v0 - 6 pi eta R^2/m times an integral of 1/h"),
+        ),
+    )
+
+
 _XI = closed_forms.damping_ratio(0.5)
 _GAMMA = 2 * _XI * math.sqrt(1e6)
 
@@ -189,4 +207,5 @@ CASES = (
     ),
     _masses(1e4, 1e-4, "heavy_striker", "mass ratio 1e8, the heavy one strikes"),
     _masses(1e-4, 1e4, "light_striker", "mass ratio 1e8, the light one strikes"),
+    _through_film(),
 )

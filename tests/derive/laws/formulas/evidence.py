@@ -30,14 +30,17 @@ from known_damping import (
     work_balance,
 )
 from known_friction import (
+    brenner_typed,
     brown_published,
     coulomb_cone,
     creep,
     curve,
     drags,
     lugre_bristle,
+    paraboloid,
     reynolds,
     slope_at_rest,
+    sphere_before_plane,
     threlfall_published,
 )
 from known_stiffness import (
@@ -262,6 +265,8 @@ EVIDENCE: dict[str, tuple[Evidence, ...]] = {
     "lugre": (Evidence(EXACT, "steady sliding on its Stribeck curve", lugre_bristle),),
     "short_bearing": (Evidence(QUADRATURE, "Reynolds' equation", reynolds),),
     "long_bearing": (Evidence(QUADRATURE, "Reynolds' equation", reynolds),),
+    "sphere_film": (Evidence(QUADRATURE, "Reynolds' equation of a paraboloid", paraboloid),),
+    "brenner": (Evidence(EXACT, "Brenner's series, and both its limits", sphere_before_plane), Evidence(TYPED, "typed again", brenner_typed)),
 }  # fmt: skip
 EVIDENCE |= {
     name: (*checks, stored_is_the_integral()) if isinstance(LAWS[name], StiffnessLaw) else checks

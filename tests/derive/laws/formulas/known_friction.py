@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from bench import evaluate, numbers
@@ -115,3 +116,46 @@ def reynolds(law: Any) -> None:
         assert all(abs(x - y) <= mpf("1e-9") * size for x, y in zip(actual, expected, strict=True)), (actual, expected)
         spin = by_quadrature(law.name, e, (1e-9, 0.0), 200.0, -200.0)
         same(evaluate(law.couple, values) * 400, mpf(-(spin[2] - spin[5]) / 2), mpf("1e-9"))
+
+
+def series(nearness: Any) -> Any:
+    """Brenner's drag of a sphere that nears a plane over Stokes' drag, by the distance over the radius: Chem. Eng. Sci. 16 (1961) 242."""
+    a, terms = mp.acosh(1 + mpf(nearness)), []
+    for n in range(1, int(40 / float(a)) + 20):
+        upper = 2 * mp.sinh((2 * n + 1) * a) + (2 * n + 1) * mp.sinh(2 * a)
+        lower = 4 * mp.sinh((n + mpf(1) / 2) * a) ** 2 - (2 * n + 1) ** 2 * mp.sinh(a) ** 2
+        terms.append(mpf(n * (n + 1)) / ((2 * n - 1) * (2 * n + 3)) * (upper / lower - 1))
+    return mpf(4) / 3 * mp.sinh(a) * mp.fsum(terms)
+
+
+def drag_of(law: Any, radius: Any, distance: Any) -> Any:
+    """Drag of a sphere's film over Stokes' drag."""
+    given = {"eta": mpf("0.3"), "R_eff": mpf(radius), "h": mpf(distance)}
+    return evaluate(law.along, {q: given[q.name] for q in law.symbols()}) / (6 * mp.pi * given["eta"] * given["R_eff"])
+
+
+def paraboloid(law: Any) -> None:
+    """Film of a sphere against Reynolds' equation of a paraboloid, the pressure 6 eta v r/h^3 inwards and the force by quadrature."""
+    for radius, least in (("0.01", "1e-6"), ("0.03", "1e-4")):
+        R, d = mpf(radius), mpf(least)
+        edge = [mp.sqrt(R * d) * mpf(10) ** k for k in (0, 1, 2, 4, 8)]
+        # by parts: the pressure times the area within is the area times what the pressure falls by
+        fall = partial(lambda R, d, r: 6 * r / (d + r**2 / (2 * R)) ** 3, R, d)
+        force = mp.quad(lambda r, fall=fall: mp.pi * r**2 * fall(r), [0, *edge, mp.inf])
+        same(drag_of(law, radius, least), force / (6 * mp.pi * R), mpf("1e-12"))
+
+
+def sphere_before_plane(law: Any) -> None:
+    """Brenner's law within 8e-4 of his series, and at both ends of it."""
+    for nearness in ("3e-3", "0.02", "0.1", "0.5", "1.5", "4", "20"):
+        assert abs(drag_of(law, 1, nearness) / series(nearness) - 1) < mpf("8e-4"), nearness
+    near, far = mpf("1e-12"), mpf("1e8")
+    same(drag_of(law, 1, near) - 1 / near, mp.log(1 / near) / 5 + mpf("0.971264"), mpf("1e-6"))
+    same(drag_of(law, 1, far), mpf(1), mpf("1e-7"))
+
+
+def brenner_typed(law: Any) -> None:
+    """The same, typed again."""
+    for nearness in map(mpf, ("1e-3", "0.3", "7")):
+        fitted = mpf("0.028736") / (1 + mpf("0.94") * mp.sqrt(nearness) + mpf("0.115") * nearness)
+        same(drag_of(law, "0.02", nearness / 50), 1 + 1 / nearness + mp.log(1 + 1 / nearness) / 5 - fitted)

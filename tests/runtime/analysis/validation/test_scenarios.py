@@ -89,6 +89,7 @@ FAULTS = {
     "geneva_drive": ("crank_speed = 121.2 rpm", "min.axle.speed", "90 ms"),
     "geared_hoist": ("drum_radius = 80.8 mm", "final.rope_end.travel", ""),
     "woodpecker": ("bird_mass = 4.545 g", "final.fall.travel", ""),
+    "ball_on_oil": ("viscosity = 0.202 Pa s", "impacts.0.speed", ""),
     "ball_between_walls": ("restitution = 0.909", "impacts.1.speed", "0.2 s"),
     "ball_in_socket": ("mass = 0.505 kg", "final.float.x", ""),
     "bicycle": ("trail = 0.0808 m", "final.steer.angle", ""),
