@@ -363,6 +363,13 @@ Source: Pinkus, Sternlicht, Theory of Hydrodynamic Lubrication (1961); Flores, L
 No flow to the ends: for L of four radii and more. Wedge alone is as in the sources. Where wedge and squeeze act together those fit a factor
 (k + 3)/(k + 3/2); here the edges of the half are found instead, where the pressure is the same. The couple is of the whole circumference.
 """
+long_bearing_full: _FilmLaw_eta
+"""long_bearing_full(eta): Long bearing (Sommerfeld), full film, which pulls where it opens (film law, grade A).
+
+eta [Pa s]: dynamic viscosity
+Source: Sommerfeld 1904; Pinkus, Sternlicht, Theory of Hydrodynamic Lubrication (1961)
+For a film under a pressure around it that keeps it from cavitation.
+"""
 lugre: _FrictionLaw_mu_k_mu_s_v_S_s_0_s_1_c_v
 """lugre(mu_k, mu_s, v_S, s_0, s_1, c_v): LuGre bristle friction for varying load (friction law, grade B).
 
@@ -497,6 +504,13 @@ eta [Pa s]: dynamic viscosity
 Source: DuBois, Ocvirk, NACA Report 1157 (1953); Booker, J. Basic Eng. 87 (1965) 537; Frene et al., Hydrodynamic Lubrication (1997)
 Pressure falls parabolically to both ends: for L up to about the radius. The couple is of the whole circumference. In double precision the
 drag is exact to 5e-14 at eps = 0.9; while the film opens, where there is little of it, to 2e-11 at 0.99 and 6e-9 at 0.999.
+"""
+short_bearing_full: _FilmLaw_eta
+"""short_bearing_full(eta): Short bearing (Ocvirk), full film, which pulls where it opens (film law, grade A).
+
+eta [Pa s]: dynamic viscosity
+Source: Frene et al., Hydrodynamic Lubrication (1997): both halves of the film of DuBois and Ocvirk (1953)
+For a film under a pressure around it that keeps it from cavitation.
 """
 smooth_coulomb: _FrictionLaw_mu_v_s
 """smooth_coulomb(mu, v_s): Coulomb friction, smoothed by tanh; creeps at v_s atanh(tan(theta)/mu) on an incline (friction law, grade A).

@@ -27,7 +27,7 @@ FILES = (
     ("exact_factor", "exact"),
     ("damping", "kelvin_voigt power_damping ristow tsuji kuwabara_kono jankowski"),
     ("friction", "coulomb smooth_coulomb ambrosio threlfall stribeck brown_mcphee bengisu_akay lugre"),
-    ("lubrication", "short_bearing long_bearing sphere_film brenner"),
+    ("lubrication", "short_bearing short_bearing_full long_bearing long_bearing_full sphere_film brenner"),
 )
 """The files of laws, and the names of those in each, in the order of the catalogue."""
 

@@ -43,6 +43,20 @@ short_bearing = FilmLaw(
     pairs=("pin_in_bush",),
 )
 
+short_bearing_full = FilmLaw(
+    name="short_bearing_full",
+    title="Short bearing (Ocvirk), full film, which pulls where it opens",
+    parameters=(eta,),
+    definitions=_THIN,
+    along=sp.pi * eta * R_2 * L**3 / dR**3 * (S + 3 * eps_w**2) / (S**2 * q),
+    across=3 * sp.pi * eta * R_2 * L**3 / dR**3 * eps_w * eps_c / (S**2 * q),
+    couple=_PETROFF,
+    source="Frene et al., Hydrodynamic Lubrication (1997): both halves of the film of DuBois and Ocvirk (1953)",
+    grade="A",
+    note="For a film under a pressure around it that keeps it from cavitation.",
+    pairs=("pin_in_bush",),
+)
+
 # The pressure of a long bearing is found up to a constant, that of its edges: they lie opposite each other, and the middle of the half between them
 # is in the direction 2 w + (e.w) e/c^2. There e/c has the components a and b, and w, of length 1, has g and -k.
 a = Quantity("a", "1", "eccentricity ratio towards the middle of the half that bears")
@@ -90,6 +104,20 @@ long_bearing = FilmLaw(
     note="No flow to the ends: for L of four radii and more. Wedge alone is as in the sources. Where wedge and squeeze act together those fit a "
     "factor (k + 3)/(k + 3/2); here the edges of the half are found instead, where the pressure is the same. The couple is of the "
     "whole circumference.",
+    pairs=("pin_in_bush",),
+)
+
+long_bearing_full = FilmLaw(
+    name="long_bearing_full",
+    title="Long bearing (Sommerfeld), full film, which pulls where it opens",
+    parameters=(eta,),
+    definitions=_THIN,
+    along=12 * sp.pi * eta * R_2**3 * L / dR**3 * (2 * S + 3 * eps_w**2) / ((3 - S) * S * q),
+    across=36 * sp.pi * eta * R_2**3 * L / dR**3 * eps_w * eps_c / ((3 - S) * S * q),
+    couple=_PETROFF,
+    source="Sommerfeld 1904; Pinkus, Sternlicht, Theory of Hydrodynamic Lubrication (1961)",
+    grade="A",
+    note="For a film under a pressure around it that keeps it from cavitation.",
     pairs=("pin_in_bush",),
 )
 

@@ -15,7 +15,7 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.common.faults import Fault
+from hertzwerk.derive.common.faults import Fault, one_of
 from hertzwerk.derive.declare.effects.effect import Declared, Element, Kinematics, PairEffect, together
 from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.expressions.algebra.vectors import Vector, add, cross, dot, scale, sub
@@ -73,12 +73,19 @@ SOUGHT = (
 )
 
 
+TRANSITIONS = ("smooth", "linear", "abrupt")
+
+
 @dataclass(frozen=True)
 class Lubrication(PairEffect):
     """Film of one pair; `boundary_layer` [m] is the thickness at which the asperities meet.
 
     In a bush it is less than half the clearance. `cavitation` is of spheres alone: the film ruptures while it opens, and has
     no force, by Gümbel's condition as by Reynolds'; without it the film pulls. A law of pin and bush has its own.
+
+    `transition` to dry contact: "smooth", from two layers to a penetration of one; "linear", where the film is never thinner than a
+    layer and its share falls in proportion to the penetration (hybrid law of Flores et al. 2006, grade C); "abrupt", where it ends
+    with the onset of contact (Ravn et al. 2000, grade C).
     """
 
     name: str
@@ -87,6 +94,7 @@ class Lubrication(PairEffect):
     boundary_layer: Scalar
     unchecked: bool = False
     cavitation: bool = False
+    transition: str = "smooth"
     kind: ClassVar[str] = "lubrication"
     takes: ClassVar[Mapping[str, str]] = {"law": "film"}
     quantities: ClassVar[Mapping[str, tuple[str, str, str]]] = QUANTITIES
@@ -120,6 +128,8 @@ class Lubrication(PairEffect):
         if self.cavitation and self.law.law.forms != ("point",):
             yield Fault(f"{self.where}, cavitation", f"cavitation=True with {self.law.law.name}", "a law of spheres, such as sphere_film",
                         "The laws of pin and bush have a cavitation of their own: leave it out.")  # fmt: skip
+        if self.transition not in TRANSITIONS:
+            yield Fault(f"{self.where}, transition", repr(self.transition), one_of(TRANSITIONS, ""))
 
     def element(self, kin: Kinematics) -> Element:
         """Element of the film; outputs: size of its force [N], least thickness [m].
@@ -160,13 +170,16 @@ class _Film:
     def limited(self, thinning: Any) -> Any:
         """Share of two layers that a film has lost below this thickness: from 0 to 1/2.
 
-        It begins with slope 1 and ends with 0, and with no curvature at either.
+        It begins with slope 1 and ends with 0, smoothly with no curvature at either.
         """
+        if self.effect.transition != "smooth":
+            return Where(thinning < sp.Rational(1, 2), thinning, sp.Rational(1, 2))
         return thinning * (1 - thinning**2 * (1 - thinning / 2))
 
     def share(self, within: Any, sinking: Any) -> Any:
         """Share of the film that is left in contact: none beyond a penetration of one layer."""
-        return self.let(Where(within, 1 - sinking**2 * (3 - 2 * sinking), 0), "share")
+        left = {"smooth": 1 - sinking**2 * (3 - 2 * sinking), "linear": 1 - sinking, "abrupt": Where(sinking > 0, 0, 1)}
+        return self.let(Where(within, left[self.effect.transition], 0), "share")
 
 
 class _Squeeze(_Film):

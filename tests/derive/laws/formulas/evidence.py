@@ -36,6 +36,7 @@ from known_friction import (
     creep,
     curve,
     drags,
+    full_film,
     lugre_bristle,
     paraboloid,
     reynolds,
@@ -265,6 +266,8 @@ EVIDENCE: dict[str, tuple[Evidence, ...]] = {
     "lugre": (Evidence(EXACT, "steady sliding on its Stribeck curve", lugre_bristle),),
     "short_bearing": (Evidence(QUADRATURE, "Reynolds' equation", reynolds),),
     "long_bearing": (Evidence(QUADRATURE, "Reynolds' equation", reynolds),),
+    "short_bearing_full": (Evidence(QUADRATURE, "both halves by Reynolds' equation", full_film),),
+    "long_bearing_full": (Evidence(QUADRATURE, "both halves by Reynolds' equation", full_film),),
     "sphere_film": (Evidence(QUADRATURE, "Reynolds' equation of a paraboloid", paraboloid),),
     "brenner": (Evidence(EXACT, "Brenner's series, and both its limits", sphere_before_plane), Evidence(TYPED, "typed again", brenner_typed)),
 }  # fmt: skip

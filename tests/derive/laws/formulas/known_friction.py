@@ -118,6 +118,26 @@ def reynolds(law: Any) -> None:
         same(evaluate(law.couple, values) * 400, mpf(-(spin[2] - spin[5]) / 2), mpf("1e-9"))
 
 
+def full_film(law: Any) -> None:
+    """A full film is the half that bears and, of the opposite motion, the other half: by quadrature."""
+    half = law.name.removesuffix("_full")
+    speed = mp.hypot(mpf("0.02"), mpf("0.03"))
+    w = (mpf("0.02") / speed, mpf("0.03") / speed)
+    for e in ((3e-5, -4e-5), (-5e-5, 4e-5), (1e-5, 7e-5)):
+        given = {"eta": ETA, "R_2": PIN, "L": LENGTH, "dR": C}
+        given |= {"epsilon_w": (e[0] * w[0] + e[1] * w[1]) / C, "epsilon_c": (-e[0] * w[1] + e[1] * w[0]) / C}
+        values = {q: mpf(given[q.name]) for q in law.symbols() if q.name in given}
+        for symbol, expression in law.definitions:
+            values[symbol] = evaluate(expression, values)
+        there, back = (by_quadrature(half, e, (sign * 0.02, sign * 0.03)) for sign in (1, -1))
+        force, size = there - back, mp.hypot(*map(mpf, there[:2]))
+        actual = (-evaluate(law.along, values) * speed, -evaluate(law.across, values) * speed)
+        expected = (force[0] * w[0] + force[1] * w[1], -force[0] * w[1] + force[1] * w[0])
+        assert all(abs(x - y) <= mpf("1e-9") * size for x, y in zip(actual, expected, strict=True)), (actual, expected)
+        spin = by_quadrature(half, e, (1e-9, 0.0), 200.0, -200.0)
+        same(evaluate(law.couple, values) * 400, mpf(-(spin[2] - spin[5]) / 2), mpf("1e-9"))
+
+
 def series(nearness: Any) -> Any:
     """Brenner's drag of a sphere that nears a plane over Stokes' drag, by the distance over the radius: Chem. Eng. Sci. 16 (1961) 242."""
     a, terms = mp.acosh(1 + mpf(nearness)), []

@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 import pytest
 from derived import Derived
-from film import ETA, LENGTH, PIN, C, by_quadrature
+from film import ETA, LENGTH, PIN, C, by_obstacle, by_quadrature
 
 import hertzwerk.derive as hd
 from hertzwerk.derive.audit.audit import InconsistentUnits
@@ -119,6 +119,35 @@ def test_half_sommerfeld_and_ocvirk(eps):
             assert got[5] == pytest.approx(petroff - eps * C / 2 * unit * tangential, rel=1e-10)
 
 
+@pytest.mark.parametrize("motion", ["wedge", "squeeze", "opening"])
+def test_reynolds_condition_and_gumbels_are_one_in_the_short_bearing(motion):
+    """Bearings of finite length by finite differences: the shorter, the less the conditions differ, and both are the law's."""
+    e, rate, *spins = MOTIONS[motion]
+    if any(spins):
+        rate = (-e[1] * 50, e[0] * 50)  # a whirl makes the wedge
+    differences = []
+    for length in (PIN / 4, PIN / 8):
+        reynolds, gumbel = (by_obstacle(e, rate, length, ruptured) for ruptured in ("reynolds", "gumbel"))
+        expected = by_quadrature("short_bearing", e, rate)[:2] * (length / LENGTH) ** 3
+        size = np.hypot(*expected)
+        differences.append(np.hypot(*(reynolds - gumbel)) / size)
+        assert np.hypot(*(reynolds - expected)) < 0.5 * (length / PIN) ** 1.5 * size
+    assert differences[0] < 0.05 and differences[1] < max(differences[0] / 2.5, 1e-4)  # that of the grid
+    none = by_obstacle(e, rate, PIN / 8, "none")  # both halves
+    both = by_quadrature("short_bearing", e, rate)[:2] - by_quadrature("short_bearing", e, -np.array(rate))[:2]
+    assert none == pytest.approx(both * (PIN / 8 / LENGTH) ** 3, rel=0.02, abs=0.02 * size)
+
+
+@pytest.mark.parametrize("law", ["short_bearing", "long_bearing"])
+def test_a_full_film_pulls_as_much_as_it_pushes(law):
+    """Without cavitation the force of a motion is that of its half, less that of the opposite motion."""
+    e, rate = (3e-5, -6e-5), np.array([0.02, 0.05])
+    full = resultants(f"{law}_full", e, rate, 300.0, 100.0)
+    assert full[:2] == pytest.approx(-resultants(f"{law}_full", e, -rate, -300.0, -100.0)[:2], rel=1e-12)
+    halves = by_quadrature(law, e, rate, 300.0, 100.0) - by_quadrature(law, e, -rate, -300.0, -100.0)
+    assert full[:2] == pytest.approx(halves[:2], rel=1e-9)
+
+
 @pytest.mark.parametrize("eps", [0.0, 0.3, 0.8])
 def test_the_two_halves_of_a_squeeze_make_the_full_film(eps):
     """Closing and opening together are the full film: pi (1 + 2 eps^2)/(1 - eps^2)^5/2, and 12 pi/(1 - eps^2)^3/2."""
@@ -185,6 +214,25 @@ def test_the_film_gives_way_to_dry_contact(law):
         assert slope == pytest.approx(other, rel=1e-4, abs=1e-5 * 0.01 * least / LAYER)
     before, at, after = (force(C - 2 * LAYER + way)[1] for way in (-1e-3 * LAYER, 0, 1e-3 * LAYER))
     assert at - before == pytest.approx(after - at, rel=0.02)  # not even the curvature jumps
+
+
+@pytest.mark.parametrize("transition, left", [("linear", 0.5), ("abrupt", 0.0)])
+def test_a_hybrid_film_has_its_share_of_the_force_at_one_layer(transition, left):
+    """Flores' share falls in proportion to the penetration, Ravn's ends with the onset: both of a film of one layer."""
+    model = Derived(scene(replace(film(), transition=transition), TOUCHING))
+
+    def force(e):
+        q, u = state((e, 0), (0.01, 0))
+        return model.call("applied", t=0.0, q=q, u=u)[0]
+
+    least = by_quadrature("short_bearing", (C - LAYER, 0), (0.01, 0))[0]
+    assert force(C - 1.5 * LAYER) == pytest.approx(
+        by_quadrature("short_bearing", (C - 1.5 * LAYER, 0), (0.01, 0))[0], rel=1e-6
+    )
+    for e in (C - 0.3 * LAYER, C - 1e-6 * LAYER):
+        assert force(e) == pytest.approx(least, rel=1e-6)
+    assert force(C + LAYER / 2) == pytest.approx(left * least, rel=1e-6)
+    assert force(C + LAYER) == 0
 
 
 @pytest.mark.parametrize("law", ["short_bearing", "long_bearing"])
@@ -254,6 +302,8 @@ UNSOUND = {
     "a bare number": (lambda: film(lambda eta: short_bearing(0.05)), "bare number", "Parameter"),
     "a layer of half the clearance": (lambda: film(thin=clearance / 2), "0.5", "(0, 0.5)"),
     "a layer that is no length": (lambda: film(thin=viscosity), "viscosity", "m"),
+    "a transition that is none": (lambda: replace(film(), transition="sharp"), "'sharp'", "abrupt"),
+    "cavitation of a journal": (lambda: replace(film(), cavitation=True), "cavitation=True", "sphere_film"),
     "no pair": (lambda: hd.Lubrication("oil", "elsewhere", short_bearing(viscosity), layer), "elsewhere", "joint"),
     "a law that is no film": (lambda: hd.Lubrication("oil", "joint", flores(0.5), layer), "flores", "film law"),
     "a film as friction": (

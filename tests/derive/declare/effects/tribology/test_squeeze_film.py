@@ -143,6 +143,17 @@ def test_a_fast_ball_breaks_through_and_bounces_a_slow_one_stays(method):
     assert len(slow.impacts) == 0 and slow["fall.speed"][-1] == pytest.approx(0, abs=1e-5)
 
 
+@pytest.mark.parametrize("transition", ["linear", "abrupt"])
+@pytest.mark.parametrize("method", ["rodas", "dop853"])
+def test_a_hybrid_film_breaks_down_at_one_layer(transition, method):
+    """The drag of one layer from there to the onset: v0 - per (ln(h0/layer) + 1); the ledger closes over the jump."""
+    per = 6 * np.pi * ETA * R**2 / MASS
+    film = replace(oil(cavitation=True), transition=transition)
+    run = simulate(load(falling(film, TOUCHING, hd.EnergyLedger())), duration="8 ms", tolerance=1e-9, method=method)
+    assert run.impacts[0].speed == pytest.approx(SPEED - per * (np.log(HEIGHT / LAYER) + 1), rel=1e-6)
+    assert run.energy_residual < 1e-7 and len(run.impacts) == 1
+
+
 def test_beside_rest_the_film_damps_a_vibration():
     """m x'' + D(h) x' + k x = 0 about the gap h: frequency and damping ratio in closed form."""
     k, h = 5e4, 2e-4
