@@ -368,7 +368,8 @@ long_bearing_full: _FilmLaw_eta
 
 eta [Pa s]: dynamic viscosity
 Source: Sommerfeld 1904; Pinkus, Sternlicht, Theory of Hydrodynamic Lubrication (1961)
-For a film under a pressure around it that keeps it from cavitation.
+For a film under a pressure around it that keeps it from cavitation. It is also the limit of Reynolds' condition where oil is supplied at
+the ends alone: the pressure is raised until the least is that around, slowly: the force is 12 % lower for 32 radii, 6 % for 64.
 """
 lugre: _FrictionLaw_mu_k_mu_s_v_S_s_0_s_1_c_v
 """lugre(mu_k, mu_s, v_S, s_0, s_1, c_v): LuGre bristle friction for varying load (friction law, grade B).
@@ -502,8 +503,9 @@ short_bearing: _FilmLaw_eta
 
 eta [Pa s]: dynamic viscosity
 Source: DuBois, Ocvirk, NACA Report 1157 (1953); Booker, J. Basic Eng. 87 (1965) 537; Frene et al., Hydrodynamic Lubrication (1997)
-Pressure falls parabolically to both ends: for L up to about the radius. The couple is of the whole circumference. In double precision the
-drag is exact to 5e-14 at eps = 0.9; while the film opens, where there is little of it, to 2e-11 at 0.99 and 6e-9 at 0.999.
+Pressure falls parabolically to both ends: for L up to about the radius; by Gümbel's condition as by Reynolds'. The couple is of the whole
+circumference. In double precision the drag is exact to 5e-14 at eps = 0.9; while the film opens, where there is little of it, to 2e-11 at
+0.99 and 6e-9 at 0.999.
 """
 short_bearing_full: _FilmLaw_eta
 """short_bearing_full(eta): Short bearing (Ocvirk), full film, which pulls where it opens (film law, grade A).

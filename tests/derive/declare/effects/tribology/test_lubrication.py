@@ -74,6 +74,7 @@ def resultants(law, e, rate, spin_pin=0.0, spin_bush=0.0):
 
 MOTIONS = {
     "wedge": ((3e-5, 4e-5), (0, 0), 100, 0),
+    "whirl": ((6e-5, 0), (0, -0.02), 0, 0),
     "squeeze": ((3e-5, -4e-5), (0.02, -0.03), 0, 0),
     "opening": ((-5e-5, 4e-5), (0.03, -0.01), 0, 0),
     "whirl at the mean spin, all but": ((2e-5, 5e-5), (-5e-5 * 70, 2e-5 * 70), 100, 40.1),
@@ -119,12 +120,10 @@ def test_half_sommerfeld_and_ocvirk(eps):
             assert got[5] == pytest.approx(petroff - eps * C / 2 * unit * tangential, rel=1e-10)
 
 
-@pytest.mark.parametrize("motion", ["wedge", "squeeze", "opening"])
+@pytest.mark.parametrize("motion", ["whirl", "squeeze", "opening"])
 def test_reynolds_condition_and_gumbels_are_one_in_the_short_bearing(motion):
     """Bearings of finite length by finite differences: the shorter, the less the conditions differ, and both are the law's."""
-    e, rate, *spins = MOTIONS[motion]
-    if any(spins):
-        rate = (-e[1] * 50, e[0] * 50)  # a whirl makes the wedge
+    e, rate, *_ = MOTIONS[motion]
     differences = []
     for length in (PIN / 4, PIN / 8):
         reynolds, gumbel = (by_obstacle(e, rate, length, ruptured) for ruptured in ("reynolds", "gumbel"))
@@ -136,6 +135,16 @@ def test_reynolds_condition_and_gumbels_are_one_in_the_short_bearing(motion):
     none = by_obstacle(e, rate, PIN / 8, "none")  # both halves
     both = by_quadrature("short_bearing", e, rate)[:2] - by_quadrature("short_bearing", e, -np.array(rate))[:2]
     assert none == pytest.approx(both * (PIN / 8 / LENGTH) ** 3, rel=0.02, abs=0.02 * size)
+
+
+def test_reynolds_condition_leaves_a_long_bearing_its_full_film():
+    """Fed at its ends, whose part of the force falls as one over the length: the rest, extrapolated, is Sommerfeld's."""
+    e, rate, *_ = MOTIONS["whirl"]
+    shorter, longer = (by_obstacle(e, rate, n * PIN, around=80, along=48) / n for n in (16, 32))
+    full, half = (resultants(law, e, rate)[:2] * PIN / LENGTH for law in ("long_bearing_full", "long_bearing"))
+    size = np.hypot(*full)
+    assert np.hypot(*(2 * longer - shorter - full)) < min(0.03 * size, 0.25 * np.hypot(*(longer - full)))
+    assert np.hypot(*(2 * longer - shorter - half)) > 0.3 * size
 
 
 @pytest.mark.parametrize("law", ["short_bearing", "long_bearing"])
