@@ -5,7 +5,7 @@ Effects:
     wall: power x flores
     oil: sphere_film film, none while it opens, at wall
     energy_ledger: work put in, energy dissipated per effect
-Units: 25 assignments and 77 outputs checked, all consistent
+Units: 26 assignments and 77 outputs checked, all consistent
 Operations: flight 41 (equations of motion and gaps); in contact also contact_wall 16
 """
 
@@ -15,7 +15,7 @@ NAME = "ball_on_oil"
 SOURCE = "derive/scenes/ball_on_oil.py"
 SUMMARY = "ball through an oil film onto a plane"
 FORMAT = "hertzwerk module 1"
-DIGEST = "aea337ea692e6e1dac782679bd0117e9"
+DIGEST = "eecea72544c9a993bb84c441fa0f40c6"
 
 EFFECTS = (
     ("wall", "contact", "power x flores"), ("oil", "lubrication", "sphere_film film, none while it opens, at wall"),
@@ -210,7 +210,8 @@ def applied(t, q, u, c):
     path_speed = u[0]
     wall_gap = path_travel - radius
     x1 = 2*boundary_layer
-    oil_thinning = ca.if_else(-wall_gap < 0, ca.if_else(wall_gap < x1, 1 - half_inverse_boundary_layer*wall_gap, 0), 1)
+    oil_nearness = ca.if_else(wall_gap < x1, 1 - half_inverse_boundary_layer*wall_gap, 0)
+    oil_thinning = ca.if_else(-wall_gap < 0, oil_nearness, 1)
     oil_thickness = ca.if_else(wall_gap < x1, twice_boundary_layer*(1 - oil_thinning*(1 - oil_thinning*oil_thinning*(1 - oil_thinning/2))), wall_gap)
     oil_sinking = ca.if_else(-wall_gap > 0, -inverse_boundary_layer*wall_gap, 0)
     oil_drag = k4/oil_thickness
@@ -246,7 +247,8 @@ def ledger(t, q, u, reactions, c):
     path_speed = u[0]
     wall_gap = path_travel - radius
     x1 = 2*boundary_layer
-    oil_thinning = ca.if_else(-wall_gap < 0, ca.if_else(wall_gap < x1, 1 - half_inverse_boundary_layer*wall_gap, 0), 1)
+    oil_nearness = ca.if_else(wall_gap < x1, 1 - half_inverse_boundary_layer*wall_gap, 0)
+    oil_thinning = ca.if_else(-wall_gap < 0, oil_nearness, 1)
     oil_thickness = ca.if_else(wall_gap < x1, twice_boundary_layer*(1 - oil_thinning*(1 - oil_thinning*oil_thinning*(1 - oil_thinning/2))), wall_gap)
     oil_sinking = ca.if_else(-wall_gap > 0, -inverse_boundary_layer*wall_gap, 0)
     oil_drag = k4/oil_thickness
@@ -300,7 +302,8 @@ def outputs(t, q, u, c):
     path_speed = u[0]
     wall_gap = path_travel - radius
     x1 = 2*boundary_layer
-    oil_thinning = ca.if_else(-wall_gap < 0, ca.if_else(wall_gap < x1, 1 - half_inverse_boundary_layer*wall_gap, 0), 1)
+    oil_nearness = ca.if_else(wall_gap < x1, 1 - half_inverse_boundary_layer*wall_gap, 0)
+    oil_thinning = ca.if_else(-wall_gap < 0, oil_nearness, 1)
     oil_thickness = ca.if_else(wall_gap < x1, twice_boundary_layer*(1 - oil_thinning*(1 - oil_thinning*oil_thinning*(1 - oil_thinning/2))), wall_gap)
     oil_sinking = ca.if_else(-wall_gap > 0, -inverse_boundary_layer*wall_gap, 0)
     oil_drag = k4/oil_thickness

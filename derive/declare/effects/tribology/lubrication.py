@@ -34,6 +34,8 @@ QUANTITIES = {
         "",
         "eccentricity over clearance, or what leaves a film of two boundary layers if that is more",
     ),
+    "nearness": ("x", "0", "0 up to a film of two boundary layers, rising as it thins"),
+    "lost": ("x", r"\mathrm{lost}", "share of two boundary layers that the film has lost of its thickness"),
     "thinning": ("x", "", "0 up to a film of two boundary layers, 1 from contact on"),
     "limited": (r"\varepsilon", r"\mathrm{lim}", "the same, never less than a film of one boundary layer"),
     "sinking": ("y", "", "0 up to contact, 1 at a penetration of one boundary layer"),
@@ -55,6 +57,8 @@ QUANTITIES = {
     "couple": ("T", r"\mathrm{film}", "couple of the film on the pin"),
 }
 SOUGHT = (
+    "nearness",
+    "lost",
     "squeeze",
     "spin",
     "epsilon",
@@ -173,13 +177,15 @@ class _Film:
         It begins with slope 1 and ends with 0, smoothly with no curvature at either.
         """
         if self.effect.transition != "smooth":
-            return Where(thinning < sp.Rational(1, 2), thinning, sp.Rational(1, 2))
+            return self.let(Where(thinning < sp.Rational(1, 2), thinning, sp.Rational(1, 2)), "lost")
         return thinning * (1 - thinning**2 * (1 - thinning / 2))
 
     def share(self, within: Any, sinking: Any) -> Any:
         """Share of the film that is left in contact: none beyond a penetration of one layer."""
-        left = {"smooth": 1 - sinking**2 * (3 - 2 * sinking), "linear": 1 - sinking, "abrupt": Where(sinking > 0, 0, 1)}
-        return self.let(Where(within, left[self.effect.transition], 0), "share")
+        if self.effect.transition == "abrupt":
+            return self.let(Where(sinking > 0, 0, 1), "share")
+        left = 1 - sinking if self.effect.transition == "linear" else 1 - sinking**2 * (3 - 2 * sinking)
+        return self.let(Where(within, left, 0), "share")
 
 
 class _Squeeze(_Film):
@@ -189,7 +195,8 @@ class _Squeeze(_Film):
         """Forces, dissipated power, outputs."""
         touch, layer = self.kin.touch(self.effect.pair), sp.sympify(self.effect.boundary_layer)
         depth, approach = touch.penetration, touch.penetration_rate
-        thinning = self.let(Where(depth < 0, Where(-depth < 2 * layer, 1 + depth / (2 * layer), 0), 1), "thinning")
+        nearness = self.let(Where(-depth < 2 * layer, 1 + depth / (2 * layer), 0), "nearness")
+        thinning = self.let(Where(depth < 0, nearness, 1), "thinning")
         lost = 2 * layer * (1 - self.limited(thinning))
         thickness = self.let(Where(-depth < 2 * layer, lost, -depth), "thickness")
         sinking = self.let(Where(depth > 0, depth / layer, 0), "sinking")
