@@ -25,7 +25,7 @@ from typing import Any
 
 import casadi as ca
 
-from hertzwerk.runtime.engine.integration.loop.c_files import OFTEN, SELDOM, CFile, c_files
+from hertzwerk.runtime.engine.integration.loop.c_files import OFTEN, SELDOM, CFile, c_files, looped
 from hertzwerk.runtime.system import cache as disk
 from hertzwerk.runtime.system.atomic_files import scratch_folder
 from hertzwerk.runtime.system.forked_tasks import cores
@@ -134,9 +134,13 @@ def available() -> bool:
 def c_text(functions: Iterable[Any], name: str = "hertzwerk_chunk") -> str:
     """Return the C text of CasADi functions, whose inner names begin with a name."""
     generator = ca.CodeGenerator(f"{name}.c", {"with_header": False})
+    functions = list(functions)
     for function in functions:
-        generator.add(function)
+        generator.add(getattr(function, "one", function))
     text = _OPERATION.sub("", generator.dump())
+    for chunk in functions:
+        if hasattr(chunk, "one"):
+            text = looped(text, chunk)
     # what the library's functions give, in line: a call costs as much as ten operations
     for name, order in (("fmin", "<"), ("fmax", ">")):
         text = text.replace(f"return {name}(x, y);", f"return x {order} y || y != y ? x : y;")

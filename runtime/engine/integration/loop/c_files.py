@@ -10,6 +10,7 @@ import math
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 from hertzwerk.runtime.engine.integration.loop.attempt import FINISH
 
@@ -47,6 +48,22 @@ static inline double casadi_chosen(double condition, double x) {
   return ((casadi_two)(holds & (casadi_mask)(casadi_two){x, 0}))[0];
 }
 """
+_LOOP = """{head} {{
+  const casadi_real *state = arg[0], *tally = arg[2], *before[2] = {{arg[0], arg[2]}};
+  casadi_real *states = res[0], *counted = res[1], *after[2] = {{res[0], res[1]}}, kept[2][{counted} + 1];
+  int i, j, failed = 0;
+  for (i = 0; i < {columns} && !failed; ++i, states += {rows}) {{
+    if (state[{status}] == 0) {{
+      arg[0] = state, arg[2] = tally, res[0] = states, res[1] = kept[i % 2];
+      failed = {attempt}(arg, res, iw, w, mem);
+      tally = kept[i % 2];
+    }} else for (j = 0; j < {rows}; ++j) states[j] = state[j];
+    state = states;
+  }}
+  for (j = 0; j < {counted}; ++j) counted[j] = tally[j];
+  arg[0] = before[0], arg[2] = before[1], res[0] = after[0], res[1] = after[1];
+  return failed;
+}}"""
 _ARGUMENT = re.compile(r"arg\[(\d+)\]\? arg\[\1\]\[(\d+)\] : 0")
 _RESULT = re.compile(r"if \(res\[(\d+)\]!=0\) res\[\1\]\[(\d+)\]=")
 _VARIABLE = re.compile(r"\ba\d+\b")
@@ -81,6 +98,19 @@ def c_files(text: str) -> list[CFile]:
         *((SELDOM, names) for names in _shares([name for name in large if name not in often], functions)),
     ]
     return _apart(text, functions, calls, OFTEN if often else SELDOM, moved)
+
+
+def looped(text: str, chunk: Any) -> str:
+    """Return the text of a chunk's `one` attempt with the loop over its attempts, of the same results as the chunk.
+
+    Attempts after the end repeat it. What each returns is its column; nothing is copied but what is counted.
+    """
+    name, (rows, columns), counted = chunk.name(), chunk.size_out(0), chunk.numel_out(1)
+    call = rf"(int {name}{re.escape(_ARGUMENTS)})\{{\n  return (\w+)\(.*\n}}"
+    numbers = {"rows": rows, "columns": columns, "counted": counted, "status": chunk.status}
+    text = re.sub(call, lambda match: _LOOP.format(head=match[1], attempt=match[2], **numbers), text)
+    pattern = f"{{ static const casadi_int states[3] = {{{rows}, {columns}, 1}}; return states; }}"
+    return re.sub(rf"({name}_sparsity_out\(.*\n.*\n    case 0: )return \w+;", rf"\1{pattern}", text)
 
 
 def _reached(names: set[str], calls: dict[str, set[str]], last: set[str]) -> set[str]:

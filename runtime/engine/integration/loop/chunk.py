@@ -57,14 +57,16 @@ def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE, *, called: str 
     """Build the function (state, controls, tally) -> states (ns, attempts), tally after all of them.
 
     A column after each attempt, as CasADi's mapaccum, but without a copy of the constant controls for each attempt.
-    After the end of a run, or of a piece of its inputs, many are passed over at once.
+    After the end of a run, or of a piece of its inputs, many are passed over at once. C has a loop of its `one` attempt (`c_files.looped`).
     """
     counting, layouts = tally(integrator.model), integrator.layouts
     status = layouts.state.places["status"]
     lengths = {"state": layouts.state.size, "controls": layouts.controls.size, "tally": counting.layout.size}
     arguments = state, controls, counted = [ca.MX.sym(name, length) for name, length in lengths.items()]
     after = integrator.attempt.call([state, controls], True, False)[0]  # it is written out: a call costs
-    many = ca.Function("attempt", arguments, [after, counting.add(counted, after, controls)])
+    names = [*lengths], ["states", "counted"]
+    one: Any = ca.Function(called, arguments, [after, counting.add(counted, after, controls)], *names)
+    many = one
     for i, size in enumerate(sizes):
         (state, _, counted), states = arguments, []
         for _ in range(size):
@@ -73,11 +75,12 @@ def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE, *, called: str 
             states.append(rows)
             state = rows[:, -1]
         name = called if i + 1 == len(sizes) else f"attempts_{i}"
-        many = ca.Function(name, arguments, [ca.horzcat(*states), counted], [*lengths], ["states", "counted"])
+        many = ca.Function(name, arguments, [ca.horzcat(*states), counted], *names)
         if i + 1 < len(sizes):
             state, _, counted = arguments
             over = ca.Function("over", arguments, [ca.repmat(state, 1, many.size2_out(0)), counted])
             many = ca.Function.if_else("unless_over", many, over)
+    many.one, many.status = one, status
     return many
 
 

@@ -52,6 +52,19 @@ def test_many_parts_in_many_files_give_the_same_bits(small, method):
     assert np.array_equal(machine.engine.history.rows.view(np.uint64), native.engine.history.rows.view(np.uint64))
 
 
+def test_the_loop_in_c_gives_the_bits_of_every_attempt(loop):
+    """Past the end of the run as well, which is repeated; the arguments stay as they are."""
+    run = simulate("slider_crank_frictionless", duration="2 ms", tolerance=1e-6, method="dop853", compiled=False)
+    history, made = run.engine.history, loop("dop853")
+    (native,) = Program(made).load()
+    given = [np.array(history.rows[-20]), history.controls, np.zeros(made.numel_in(2))]
+    expected, actual = ([np.array(part) for part in function.call(given)] for function in (made, native))
+    assert 1 < len(np.unique(expected[0], axis=1).T) < expected[0].shape[1] / 2
+    for one, other in zip(expected, actual, strict=True):
+        assert np.array_equal(one.view(np.uint64), other.view(np.uint64))
+    assert "for (i = 0; i < 256 && !failed" in c_text([made])
+
+
 def test_small_parts_are_made_of_the_text(small, text):
     files = c_files.c_files(text)
     assert len(files) > 4
@@ -96,7 +109,7 @@ def test_functions_for_events_are_apart_and_less_optimised(text):
     assert often.level == c_files.OFTEN
     assert [file.level for file in others] == [c_files.SELDOM]
     said = [set(re.findall(r"^/\* (\w+):", file.text, re.MULTILINE)) for file in (often, *others)]
-    assert {"advance_in_contact", "advance_in_flight", "attempts_0", "chunk"} <= said[0]
+    assert {"advance_in_contact", "advance_in_flight", "chunk"} <= said[0]
     assert {"decide", "locate"} <= said[1]  # `moved` is short: it calls
     assert not said[0] & said[1]
 
