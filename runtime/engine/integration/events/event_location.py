@@ -355,10 +355,10 @@ def locate() -> Any:
 
     NO_EVENT if there is none, 0.5 where a graze is in doubt and doubt is positive. The polynomial is evaluated at the
     ends of equal parts; the first part with a change of sign, or with a minimum that reaches -margin, brackets the
-    root, which safeguarded Newton steps find. Branch-free.
+    root, which safeguarded Newton steps find, half of them only where the others have not settled.
     """
     bernstein, margin, doubt = ca.SX.sym("bernstein", 6), ca.SX.sym("margin"), ca.SX.sym("doubt")
-    a = ca.mtimes(ca.DM(_POWERS), bernstein)
+    a: Any = ca.mtimes(ca.DM(_POWERS), bernstein)
     value = [a[j] for j in range(6)]
     slope = [j * value[j] for j in range(1, 6)]
     curvature = [j * slope[j] for j in range(1, 5)]
@@ -385,16 +385,32 @@ def locate() -> Any:
     high = ca.if_else(in_dip, bottom, (part + 1) / PARTS)
     at_bottom = bottom - ca.sqrt(ca.fmax(-2 * lowest / _horner(curvature, bottom), 0))
     x = ca.if_else(in_dip, ca.fmax(at_bottom, low), (low + high) / 2)
-    for _ in range(NEWTON_STEPS):
-        at_x, rate = _horner(value, x), _horner(slope, x)
+    begun = ca.Function("begun", [bernstein, margin, doubt], ca.cse([a, x, low, high, first, part, in_doubt]))
+    arguments, steps = begun.mx_in(), _newton_steps()
+    found: list[Any] = begun.call(arguments)
+    a, x, low, high, first, part, in_doubt = found
+    kept = ca.Function("kept", (known := steps.mx_in()), [*known[1:], ca.MX(1)])
+    x, low, high, settled = steps(a, x, low, high)
+    x, _, high, _ = ca.Function.if_else("settled", kept, steps)(settled, a, x, low, high)
+    # within the margin of zero already at the part's left end: that end will do
+    x = ca.if_else(_horner(ca.vertsplit(a), first) > 0, x, ca.fmax(first, high / PARTS))
+    theta = ca.if_else(part < PARTS, x, ca.if_else(in_doubt, 0.5, NO_EVENT))
+    return ca.Function("locate", arguments, [theta], ["bernstein", "margin", "doubt"], ["theta"])
+
+
+def _newton_steps() -> Any:
+    """Build the function (polynomial, x, low, high) -> x, low, high, settled, of half the steps."""
+    a, x, low, high = arguments = [ca.SX.sym("a", 6), *map(ca.SX.sym, ("x", "low", "high"))]
+    value = ca.vertsplit(a)
+    slope = [j * value[j] for j in range(1, 6)]
+    before = newton = x
+    for _ in range(NEWTON_STEPS // 2):
+        before, at_x = x, _horner(value, x)
         positive = at_x > 0
         low, high = ca.if_else(positive, x, low), ca.if_else(positive, high, x)
-        newton = x - at_x / rate
+        newton = x - at_x / _horner(slope, x)
         x = ca.if_else((newton >= low) * (newton <= high), newton, (low + high) / 2)
-    # within the margin of zero already at the part's left end: that end will do
-    x = ca.if_else(_horner(value, first) > 0, x, ca.fmax(first, high / PARTS))
-    theta = ca.if_else(part < PARTS, x, ca.if_else(in_doubt, 0.5, NO_EVENT))
-    return ca.Function("locate", [bernstein, margin, doubt], [theta], ["bernstein", "margin", "doubt"], ["theta"])
+    return ca.Function("newton_steps", arguments, ca.cse([x, low, high, newton == before]))
 
 
 _POWERS = [

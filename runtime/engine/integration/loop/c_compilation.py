@@ -34,7 +34,7 @@ from hertzwerk.runtime.system.interrupt import raise_interrupts
 GCC_ALONE = "-fno-tree-pre"  # which clang refuses
 FLAGS = (
     *("-march=native", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"),
-    *("-fno-gcse", GCC_ALONE),  # find nothing in such text, in a sixth of the time
+    *("-fno-gcse", "-fno-gcse-after-reload", GCC_ALONE),  # find nothing in such text, in a quarter of the time
     *("-ftree-vectorize", "-fvect-cost-model"),  # loops over pairs, at any level: 12 balls run 1.5 times as fast
     "-fno-tree-slp-vectorize",  # GCC 12 makes of a sum beside a difference one fused instruction all the same
     *("-fno-semantic-interposition", "-fPIC", "-w"),  # the first lets CasADi's small functions be inlined
@@ -42,8 +42,9 @@ FLAGS = (
 FUSED = "-ffp-contract=fast"
 # a symbol that is nowhere is an error of the linker, not the end of the process that calls it
 DEFINED = () if sys.platform in ("darwin", "win32") else ("-Wl,-z,defs",)
-LOOP = "\n  for (i=0, rr="  # over the entries of CasADi's vectors, which are one or apart
-INDEPENDENT = "\n#pragma GCC ivdep"
+# a loop over the entries of CasADi's vectors, which are one or apart
+LOOP, EACH = "\n  for (i=0, rr=", "\n  EACH (i=0, rr="
+INDEPENDENT = '#define EACH _Pragma("GCC ivdep") for\n'
 PATIENCE = 0.1  # s between two polls
 _OPERATION = re.compile(r"^ +/\* #\d+: .* \*/\n", re.MULTILINE)  # CasADi's comment on an operation of a graph
 # s of the processor: within 2 of what 10 programs of 1 to 300 pairs took; a loop takes as long as 200 characters
@@ -111,7 +112,9 @@ class Program:
 def compile_seconds(files: Sequence[CFile]) -> float:
     """Return the estimated time [s] to compile files side by side."""
     times = [
-        BEGIN_S + PER_CHARACTER_S[file.level] * len(file.text) + PER_LOOP_S[file.level] * file.text.count("for (")
+        BEGIN_S
+        + PER_CHARACTER_S[file.level] * len(file.text)
+        + PER_LOOP_S[file.level] * (file.text.count("for (") + file.text.count("EACH ("))
         for file in files
     ]
     return max([*times, sum(times) / cores()])
@@ -144,7 +147,7 @@ def c_text(functions: Iterable[Any], name: str = "hertzwerk_chunk") -> str:
     # what the library's functions give, in line: a call costs as much as ten operations
     for name, order in (("fmin", "<"), ("fmax", ">")):
         text = text.replace(f"return {name}(x, y);", f"return x {order} y || y != y ? x : y;")
-    return text.replace(LOOP, INDEPENDENT + LOOP)
+    return INDEPENDENT + text.replace(LOOP, EACH)
 
 
 def compile_files(

@@ -101,7 +101,7 @@ def c_files(text: str) -> list[CFile]:
 
 
 def looped(text: str, chunk: Any) -> str:
-    """Return the text of a chunk's `one` attempt with the loop over its attempts, of the same results as the chunk.
+    """Return the text of `chunk.one`, an attempt, with a loop that gives what the chunk gives.
 
     Attempts after the end repeat it. What each returns is its column; nothing is copied but what is counted.
     """

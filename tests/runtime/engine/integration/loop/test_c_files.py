@@ -110,7 +110,7 @@ def test_functions_for_events_are_apart_and_less_optimised(text):
     assert [file.level for file in others] == [c_files.SELDOM]
     said = [set(re.findall(r"^/\* (\w+):", file.text, re.MULTILINE)) for file in (often, *others)]
     assert {"advance_in_contact", "advance_in_flight", "chunk"} <= said[0]
-    assert {"decide", "locate"} <= said[1]  # `moved` is short: it calls
+    assert "decide" in said[1]  # `locate` and `moved` are short: they call
     assert not said[0] & said[1]
 
 
