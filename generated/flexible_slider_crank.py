@@ -1,4 +1,4 @@
-"""flexible_slider_crank: slider-crank at constant speed whose coupler bends. Generated from derive/scenes/flexible_slider_crank.py.
+"""flexible_slider_crank: slider-crank whose coupler bends. Generated from derive/scenes/flexible_slider_crank.py.
 
 Do not edit; regenerate with `hertzwerk derive flexible_slider_crank`.
 Effects:
@@ -13,9 +13,9 @@ import casadi as ca
 
 NAME = "flexible_slider_crank"
 SOURCE = "derive/scenes/flexible_slider_crank.py"
-SUMMARY = "slider-crank at constant speed whose coupler bends"
+SUMMARY = "slider-crank whose coupler bends"
 FORMAT = "hertzwerk module 1"
-DIGEST = "fdd57340c494bc668f274f894c49774d"
+DIGEST = "4f742e174441019a3a020b3b568a8a06"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),

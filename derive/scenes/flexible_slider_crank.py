@@ -60,5 +60,5 @@ scene = Scene(
         speed=Parameter("vibration", "m/s", 1),
         arm=l,
     ),
-    summary="slider-crank at constant speed whose coupler bends",
+    summary="slider-crank whose coupler bends",
 )
