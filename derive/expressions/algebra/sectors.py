@@ -42,3 +42,9 @@ class Mean(NoText):
 
     def _eval_is_real(self) -> bool:
         return True
+
+    def _latex(self, printer: Any) -> str:
+        shares, first, *_ = map(printer.doprint, self.args)
+        last = printer.doprint(self.args[-1])
+        row = rf"\left({first}, \dots, {last}\right)" if len(self.args) > 2 else first
+        return rf"{shares} \cdot {row}"

@@ -14,6 +14,40 @@ from hertzwerk.derive.declare.effects.effect import CONTACT, Declared, Element, 
 from hertzwerk.derive.declare.effects.tribology.lubrication import Lubrication
 from hertzwerk.derive.expressions.parameter import NOT_NEGATIVE, POSITIVE, Scalar, Slot
 
+QUANTITIES = {
+    "length": ("e", "", "eccentricity, at least a quarter of the clearance"),
+    "radial": ("e", "0", "direction in which pin and bush touch"),
+    "pin_cosine": ("c", r"\mathrm{pin}", "cosine of that direction in the axes of the pin"),
+    "pin_sine": ("s", r"\mathrm{pin}", "its sine"),
+    "pin_shares": (r"\varphi", r"\mathrm{pin}", "shares of the pin's sectors in that direction"),
+    "bush_shares": (r"\varphi", r"\mathrm{bush}", "shares of the bush's sectors in that direction"),
+    "pin_shares_slope": (r"\varphi'", r"\mathrm{pin}", "their slopes by its angle"),
+    "bush_shares_slope": (r"\varphi'", r"\mathrm{bush}", "their slopes by its angle"),
+    "pin_depth": ("w", r"\mathrm{pin}", "depth of the pin there"),
+    "bush_depth": ("w", r"\mathrm{bush}", "depth of the bush there"),
+    "pin_slope": ("w'", r"\mathrm{pin}", "slope of the pin's depth by the angle"),
+    "bush_slope": ("w'", r"\mathrm{bush}", "slope of the bush's depth by the angle"),
+    "pin_turning": (r"\omega", r"\mathrm{pin}", "rate of the direction's angle in the axes of the pin"),
+    "bush_turning": (r"\omega", r"\mathrm{bush}", "rate of the direction's angle in the axes of the bush"),
+    "slope": ("s", "", "slope of both over the eccentricity"),
+    "depth": ("w", "", "depth of both"),
+    "counted": ("w", r"\mathrm{G}", "depth of both, faded towards the centre"),
+    "area": ("A", "", "area of the spot"),
+    "power": ("P", r"\mathrm{s}", "normal force times sliding speed"),
+    "recession": (r"\dot{w}", "", "rate at which wear opens the gap"),
+}
+SOUGHT = (
+    "length",
+    "pin_depth",
+    "bush_depth",
+    "pin_slope",
+    "bush_slope",
+    "slope",
+    "depth",
+    "counted",
+    "power",
+    "recession",
+)
 CONTOUR, FLAT = "contour", "flat"
 """How a pair wears: around the circles of both surfaces, or at one spot of the first."""
 DEPTH, LOAD_PATH = "depth", "load_path"
@@ -44,6 +78,8 @@ class Wear(PairEffect):
     acceleration: Scalar = 1
     kind: ClassVar[str] = "wear"
     enters: ClassVar[str] = CONTACT
+    quantities: ClassVar[Mapping[str, tuple[str, str, str]]] = QUANTITIES
+    sought: ClassVar[tuple[str, ...]] = SOUGHT
     measures: ClassVar[Mapping[str, Slot]] = {
         "first": Slot.of("1/Pa", NOT_NEGATIVE),
         "second": Slot.of("1/Pa", NOT_NEGATIVE),

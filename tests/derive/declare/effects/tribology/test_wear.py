@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -10,12 +11,13 @@ import sympy as sp
 import hertzwerk.derive as hd
 from hertzwerk.derive.equations.contact import worn_surfaces
 from hertzwerk.derive.scenes.slider_crank_line import scene as crank
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import equilibrium, load, simulate
 
 p = hd.Parameter
 K, RATE, ACCELERATION = 1e-14, p("wear_rate", "mm^3/(N m)", 1e-5), p("repetitions", "1", 1e4)
 G, M, A, V = 9.81, 2.0, 4e-6, 0.3
-BUSH, PIN, LENGTH, SPIN = 0.01, 0.0099, 0.02, 2 * np.pi
+BUSH, CLEARANCE, LENGTH, SPIN = 0.01, 1e-4, 0.02, 2 * np.pi
+PIN = BUSH - CLEARANCE
 SIZE = p("size", "mm", 1)
 SCALES = hd.Scales(SIZE, p("pace", "m/s", 1), arm=SIZE)
 BLOCK, SHAFT = (
@@ -150,6 +152,18 @@ def test_doubled_sectors_leave_a_quarter_of_the_error():
     assert errors[1] == pytest.approx(6 / 16**2, rel=0.02)  # half the variance of the kernel, 12/n^2
 
 
+def test_halved_acceleration_leaves_half_of_the_error():
+    """Pin and bush after the wear of ten thousand turns, in one turn, in two, and in four."""
+    model, worn = load(journal(RATE, RATE)), []
+    for turns in (1, 2, 4):
+        accelerated = {"repetitions": (1e4 / turns, "1")}
+        run = simulate(model, duration=float(turns), tolerance=1e-9, parameters=accelerated, compiled=False)
+        worn.append(np.concatenate([depths(run, "pin", 16), depths(run, "bush", 16)]))
+    first, second = (np.abs(b - a).max() for a, b in pairwise(worn))
+    assert first / second == pytest.approx(2, rel=0.02)
+    assert first < 2e-3 * worn[-1].max()
+
+
 def worn_crank():
     wear = hd.Wear("wear", "slider_pin", RATE, RATE, sectors=16, acceleration=ACCELERATION)
     return replace(crank, effects=(*crank.effects[:-1], wear, crank.effects[-1]), name="worn_crank")
@@ -181,6 +195,30 @@ def test_the_volume_is_force_times_sliding_in_a_run_with_impacts():
     assert run["wear.volume"][-1] == pytest.approx(lost_by_quadrature(run), rel=1e-6)
     assert depths(run, "bush", 16).max() > 5e-6
     assert run.energy_residual < 1e-7
+
+
+def test_derivatives_pass_through_wear():
+    """Of a run from a worn bush, against differences."""
+    names, start = {"wear_rate": ("mm^3/(N m)", 1e-5, 1e-9), "clearance": ("mm", 0.5, 1e-3)}, {"wear.bush_1": "2 um"}
+    options = {"duration": "1 ms", "tolerance": 1e-11, "method": "dop853", "initial": start, "compiled": False}
+    run = simulate(crank_model(), sensitivities=tuple(names), **options)
+    for name, (unit, value, si) in names.items():
+        less, more = (
+            simulate(crank_model(), parameters={name: (value * (1 + step), unit)}, **options) for step in (-1e-5, 1e-5)
+        )
+        for history in ("guide.travel", "wear.volume", "wear.bush_1"):
+            difference = (more[history][-1] - less[history][-1]) / (2e-5 * value * si)
+            assert run.derivatives[history, name][-1] == pytest.approx(difference, rel=1e-5)
+
+
+def test_rest_in_a_worn_bush():
+    """A pin at rest sinks by the depth below it; depths are given, not solved for."""
+    still = {"spin": (1e-9, "rad/s")}
+    at_rest = equilibrium(load(journal(None, RATE)), parameters=still, initial={"wear.bush_13": "50 um"})
+    (shares,) = kernel(16, 1.5 * np.pi)
+    low = CLEARANCE + 2 * M * G / 1e6 + 5e-5 * shares[12]
+    assert at_rest["down.travel"][0] == pytest.approx(-low, rel=1e-9)
+    assert at_rest["wear.bush_13"][0] == pytest.approx(5e-5, rel=1e-12)
 
 
 @pytest.mark.parametrize("name", ["lost", "couple", "progress"])
