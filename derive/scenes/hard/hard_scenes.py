@@ -16,7 +16,7 @@ import sympy as sp
 
 from hertzwerk.derive.declare.effects.contacts import Contact, Friction
 from hertzwerk.derive.declare.effects.controllers import Relay
-from hertzwerk.derive.declare.effects.drives import Harmonic
+from hertzwerk.derive.declare.effects.drives import ConstantSpeed, Harmonic
 from hertzwerk.derive.declare.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.declare.effects.forces import JointForce
 from hertzwerk.derive.declare.effects.gravity import Gravity
@@ -26,6 +26,7 @@ from hertzwerk.derive.declare.effects.state_expression import T, speed_of
 from hertzwerk.derive.declare.effects.tribology.joint_friction import JointFriction
 from hertzwerk.derive.declare.mechanism.bodies import GROUND, Body, Direction, X, Y, Z
 from hertzwerk.derive.declare.mechanism.joints.axial import Prismatic, Revolute
+from hertzwerk.derive.declare.mechanism.joints.flexible_rod import FlexibleRod
 from hertzwerk.derive.declare.mechanism.joints.free import Free
 from hertzwerk.derive.declare.mechanism.joints.planar import Planar
 from hertzwerk.derive.declare.mechanism.joints.track import PointInTrack
@@ -436,6 +437,19 @@ def aligned_boxes() -> Scene:
     )
 
 
+def whirling_rod() -> Scene:
+    """A rod of eight shapes that turns at ten times its own pace, thrown across the plane of its spin."""
+    length, shapes = Parameter("length", "m", 1), 8
+    rod = FlexibleRod("rod", length, Parameter("mass", "kg", 0.5), Parameter("stiffness", "N m^2", 8), modes=shapes)
+    hinge = Revolute("hinge", GROUND, rod.start, axis=Y)
+    return Scene(
+        Mechanism("whirling_rod", (hinge, rod)),
+        effects=(ConstantSpeed("spin", "hinge", Parameter("spin_speed", "rad/s", 40)), EnergyLedger()),
+        start=Start(speed={f"rod.bend_{k}_speed": Parameter(f"thrown_{k}", "m/s", 0.1) for k in range(1, shapes + 1)}),
+        scales=Scales(length=Parameter("size", "m", 0.01), speed=Parameter("pace", "m/s", 1), arm=length),
+    )
+
+
 def sliding_table() -> Scene:
     """A flat box that slides on four corners with set-valued friction in two directions."""
     width, height, stiffness = (
@@ -546,6 +560,7 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
     "shaken_ball": shaken_ball,
     "chattering_relay": chattering_relay,
     "jamming_guide": jamming_guide,
+    "whirling_rod": whirling_rod,
     "track_round": track_round,
     "faceted_bench": faceted_bench,
     "rocking_block": rocking_block,

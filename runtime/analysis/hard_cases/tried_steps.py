@@ -134,6 +134,8 @@ TRIES: dict[str, dict[str, int]] = {
     "incline_slides_lugre": {"dopri5": 55486, "dop853": 25452, "rodas": 45, "esdirk": 37, "auto": 54},
     "falling_chain_of_3": {"dopri5": 1138, "dop853": 798, "rodas": 1086, "esdirk": 878, "auto": 724},
     "falling_chain_of_8": {"dopri5": 2013, "dop853": 1620},
+    "stiff_coupler": {"dopri5": 867, "dop853": 423, "rodas": 748, "esdirk": 527, "auto": 423},
+    "many_shapes": {"dopri5": 2681, "dop853": 1062, "rodas": 2014, "esdirk": 2051, "auto": 1062},
     "change_points": {"dopri5": 996, "dop853": 199, "rodas": 1194, "esdirk": 949, "auto": 199},
     "redundant_constraints": {"dopri5": 399, "dop853": 88, "rodas": 562, "esdirk": 359, "auto": 88},
     "track_of_arcs_and_lines": {"dop853": 413, "auto": 413},

@@ -9,6 +9,7 @@ import numpy as np
 from hertzwerk.runtime.analysis.hard_cases.case import METHODS, HardCase, Known, Source, final
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
+RIGID = 0.15 * math.cos(0.3) + math.sqrt(0.3**2 - (0.15 * math.sin(0.3)) ** 2)  # m, of the slider after 2 ms
 TURNED = -31.750597186986102  # rad, of two windows after 10 s
 
 ROUND = 10 * (0.08 + 0.03 * np.pi) / 2  # s, of a bead ten times round its track
@@ -35,6 +36,26 @@ def _apart(run: EngineSolution) -> float:
 
 
 CASES = (
+    HardCase(
+        name="stiff_coupler",
+        theme="loops",
+        hard="a coupler that bends, a thousand times as stiff as steel: its shapes vibrate at up to 58 kHz, without damping",
+        source=Source("flexible_slider_crank"),
+        duration=0.002,
+        tolerance=1e-8,
+        methods=METHODS,
+        parameters={"youngs_modulus": "200 TPa"},
+        known=(final("guide.travel", RIGID, 1e-8, "the rigid slider-crank"), closed(1e-12)),
+    ),
+    HardCase(
+        name="many_shapes",
+        theme="loops",
+        hard="a spinning rod with eight shapes, whose frequencies are 1 to 180 times that of the first, thrown from straight",
+        source=Source("whirling_rod", hard=True),
+        duration=0.5,
+        tolerance=1e-6,
+        methods=METHODS,
+    ),
     HardCase(
         name="change_points",
         theme="loops",
