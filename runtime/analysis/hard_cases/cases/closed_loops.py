@@ -50,7 +50,7 @@ CASES = (
     HardCase(
         name="many_shapes",
         theme="loops",
-        hard="a spinning rod with eight shapes, whose frequencies are 1 to 180 times that of the first, thrown from straight",
+        hard="a spinning rod with eight shapes, whose frequencies reach 158 times the first, thrown from straight",
         source=Source("whirling_rod", hard=True),
         duration=0.5,
         tolerance=1e-6,
