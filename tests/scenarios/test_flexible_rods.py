@@ -209,6 +209,13 @@ def test_both_coordinates_give_the_same_motion_and_reactions():
         assert one == pytest.approx(other, abs=1e-7 * size), name
 
 
+def test_the_start_of_a_rod_has_no_momentum_of_a_straight_one():
+    histories = simulate("flexible_slider_crank", duration="1 us", tolerance=1e-4)
+    assert "crank.kinetic_energy" in histories.units
+    assert "coupler_start.angle" in histories.units
+    assert "coupler_start.kinetic_energy" not in histories.units
+
+
 def test_compiled_and_uncompiled_runs_have_the_same_bits():
     run, other = (simulate("flexible_slider_crank", duration="1 ms", compiled=compiled) for compiled in (False, True))
     assert np.array_equal(run["coupler.bend_1"], other["coupler.bend_1"])

@@ -186,6 +186,8 @@ class _Readings:
             yield from self._moment(
                 name, "angular_acceleration_{}", "rad/s^2", apply(back, alpha), f"angular acceleration {text}"
             )
+        if any(joint.bends and joint.parent.body == body for joint in self.mechanism.joints):
+            return  # the start of a rod, whose momentum and energy are not those of the straight one
         mass, spin = sp.sympify(body.mass), self.forces.inertia(body, w)
         text = f"angular momentum of {name} about its mass centre"
         yield from self._vector(name, "momentum_{}", "kg m/s", scale(mass, velocity), f"momentum of {name}")

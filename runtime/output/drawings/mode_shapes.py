@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -70,7 +70,7 @@ class _Vibration:
             for i in self.model.quaternions:
                 q[i : i + 4] /= np.linalg.norm(q[i : i + 4])
             positions.append(closed_near(self.model, self.bound, q, self.t) if np.any(deviation) else self.q)
-        return Places.at(self.model, self.bound, self.t, np.array(positions))
+        return replace(Places.at(self.model, self.bound, self.t, np.array(positions)), enlarged=False)
 
 
 def _largest(places: Places) -> float:

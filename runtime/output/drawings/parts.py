@@ -83,7 +83,7 @@ class Parts:
             line = points[-1] - points[0]
             sag = np.max(np.linalg.norm(points[1:-1] - _on_line(points), axis=-1))
             wanted = BENT * float(np.max(np.linalg.norm(line, axis=-1))) / max(float(sag), 1e-300)
-            factors[part] = nice(wanted) if 1 < wanted < TINY else 1.0
+            factors[part] = nice(wanted) if 1 < wanted < TINY and self.places.enlarged else 1.0
         return factors
 
     def rod(self, part: str, i: int) -> Array:
@@ -170,6 +170,7 @@ class Parts:
             self._other(mark) for mark in marks if mark.kind in SLIDING and mark.place == "parent"
         ]  # stays on it
         points = [self.at(mark, i) for mark in (*marks, *sliding)]
+        points += [at for part, ends in self.rods.items() if ends[0].body == body for at in self.rod(part, i)[::10]]
         return np.unique(np.round(np.array(points), 12), axis=0) if points else np.zeros((0, 2))
 
     def _other(self, mark: Landmark) -> Landmark:

@@ -62,7 +62,7 @@ class Landmark:
 class Places:
     """Poses of the bodies and landmarks at the times t (n,) [s]; the ground is the first body.
 
-    origins (n, bodies, 3) [m], rotations (n, bodies, 3, 3).
+    origins (n, bodies, 3) [m], rotations (n, bodies, 3, 3); enlarged: whether the sag of flexible rods is.
     """
 
     model: EngineModel
@@ -71,6 +71,7 @@ class Places:
     landmarks: tuple[Landmark, ...]
     origins: Array
     rotations: Array
+    enlarged: bool = True
 
     @classmethod
     def at_start(

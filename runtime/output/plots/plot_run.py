@@ -119,6 +119,8 @@ def _overview(curves: Curves) -> Figure:
         panels += [partial(_motion, unit=unit, order=order) for order in orders]
         if curves.ideal is not None:
             panels += [partial(_deviations, unit=unit), partial(_accelerations, unit=unit)]
+    if _sags(curves):
+        panels.append(_bending)
     if curves.run.engine.model.pairs:
         panels.append(_forces)
     if _friction_forces(curves):
@@ -224,6 +226,18 @@ def _deviations(axis: Axes, curves: Curves, unit: str) -> None:
     size = curves.size(tuple(motion.names[0] for motion in curves.kinds[unit]))
     scale = lines(axis, curves, unit, values, size=size)
     over_time(axis, curves, f"{KINDS[unit][0]} minus that of the ideal mechanism [{scale.unit}]")
+
+
+def _sags(curves: Curves) -> list[str]:
+    """Name the sags of flexible rods between their ends."""
+    sags = (name for name in curves.run.engine.model.outputs if "sag_" in name)
+    return [name for name in sags if not name.endswith(("sag_0", "sag_100"))]
+
+
+def _bending(axis: Axes, curves: Curves) -> None:
+    sags = {name: curves[name] for name in _sags(curves)}
+    scale = lines(axis, curves, "m", sags)
+    over_time(axis, curves, f"Sag of rods from the line between their ends [{scale.unit}]")
 
 
 def _forces(axis: Axes, curves: Curves) -> None:
