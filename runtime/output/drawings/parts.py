@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import CubicHermiteSpline
 
 from hertzwerk.runtime.output.drawings.drawing_primitives import INK, ROUND, Paper, goes_round, hull, nice
 from hertzwerk.runtime.output.drawings.ground_planes import ground_planes
@@ -96,8 +95,7 @@ class Parts:
         straight = np.concatenate([points[:1], _on_line(points), points[-1:]])
         points = straight + self.bent[part] * (points - straight)
         ways = line + self.bent[part] * (ways * length - line)
-        at = np.linspace(0, 1, len(marks))
-        return self.flat(CubicHermiteSpline(at, points, ways)(np.linspace(0, 1, 41)))
+        return self.flat(_smooth(points, ways / (len(marks) - 1)))
 
     @cached_property
     def walls(self) -> dict[int, tuple[Array, Array]]:
@@ -520,6 +518,16 @@ class Parts:
             points, normal = self.positions[id(first)], self.places.direction(second, "normal")
             height = np.sum((points - self.positions[id(second)]) * normal, axis=1, keepdims=True)
             yield self.flat(points - height * normal)
+
+
+def _smooth(points: Array, ways: Array) -> Array:
+    """Return a curve through points (k, 3) by Hermite's cubics, ten between two; ways: its slopes by their number."""
+    at = np.arange(10)[:, None] / 10
+    pieces = [
+        (1 - at) ** 2 * ((1 + 2 * at) * a + at * slope) + at**2 * ((3 - 2 * at) * b + (at - 1) * end)
+        for a, b, slope, end in zip(points, points[1:], ways, ways[1:], strict=False)
+    ]
+    return np.concatenate([*pieces, points[-1:]])
 
 
 def _on_line(points: Array) -> Array:

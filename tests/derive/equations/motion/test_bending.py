@@ -96,6 +96,22 @@ def test_equations_keep_the_energy_and_invert_the_mass_matrix(name):
     assert np.allclose(mass @ inverse, np.eye(derived.nu), atol=1e-8)
 
 
+@pytest.mark.parametrize("name", [name for name in JOINTS if "free" not in name])
+def test_accelerations_are_those_of_lagrange_for_that_energy(name):
+    """Gyroscopic forces, which do no work, are among them."""
+    derived = Derived(scene(name))
+    q, u = state(derived, 0.01)
+    force = np.random.default_rng(3).uniform(-1, 1, derived.nu)
+    a, _ = derived.call("accelerations", q=q, u=u, f=derived.call("applied", q=q, u=u) + force)
+    x, v = ca.SX.sym("q", derived.nq), ca.SX.sym("u", derived.nu)
+    kinetic, potential, _ = derived.results("energy", {"q": x, "u": v})
+    momentum = ca.gradient(ca.SX(kinetic), v)
+    left = ca.jtimes(momentum, v, a) + ca.jtimes(momentum, x, v) - ca.gradient(ca.SX(kinetic - potential), x) - force
+    size = ca.jtimes(momentum, v, a)
+    residual, moving = (part.full().ravel() for part in ca.Function("L", [x, v], [left, size])(q, u))
+    assert np.max(np.abs(residual)) < 1e-9 * np.max(np.abs(moving))
+
+
 @pytest.mark.parametrize("ends", [("clamped", "free"), ("clamped", "clamped"), ("pinned", "pinned")])
 def test_shapes_are_those_of_the_textbook(ends):
     made, of = BendingShapes(ends, 3, True), shapes(ends, 3, True)
