@@ -67,6 +67,12 @@ def test_frequencies_are_those_of_euler_and_bernoulli(ends, by, roots, coordinat
     assert np.allclose(2 * np.pi * np.array(found), PACE * np.square(roots), rtol=1e-9)
 
 
+def test_each_eigenfunction_has_the_damping_ratio():
+    beam = rod(modes=3, damping_ratio=Parameter("damping", "1", 0.02))
+    found = modes(load(scene(held(beam, "clamped"))))
+    assert [mode.damping_ratio for mode in found] == pytest.approx([0.02] * 3, rel=1e-6)
+
+
 def flapping(pace, **options):
     """Frequency across the plane of spin, and within it, beside that of the rod's unit."""
     spin = ConstantSpeed("spin", "hinge", Parameter("speed", "rad/s", pace * PACE))
@@ -107,17 +113,21 @@ def test_a_rod_without_shortening_would_soften(monkeypatch):
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 def test_loads_at_the_end_bend_it_as_in_the_textbook(coordinates):
-    force = Parameter("force", "N", 0.5)
-    beam = rod(modes=1, cubics=True, section_modulus=Parameter("section_modulus", "m^3", 1e-7))
-    at_rest = equilibrium(
-        load(
-            scene(
-                held(beam, "clamped"), PointForce("push", beam.end.at(0, 0, 0), (0, force, 0)), coordinates=coordinates
-            )
-        )
+    """Deflection F L^3/(3 E I), slope F L^2/(2 E I), sag -F L^3/(16 E I) in the middle, stress F L/W at the clamp."""
+    force, unit = Parameter("force", "N", 0.5), 0.5 * L**3 / EI
+    beam = rod(
+        modes=1, cubics=True, ends=("clamped", "clamped"), section_modulus=Parameter("section_modulus", "m^3", 1e-7)
     )
-    assert at_rest["rod.bend_1"][0] == pytest.approx(0.5 * L**3 / (3 * EI), rel=1e-12)
-    assert at_rest["rod.bend_2"][0] == pytest.approx(0.5 * L**3 / (2 * EI), rel=1e-12)
+    push = PointForce("push", beam.end.at(0, 0, 0), (0, force, 0))
+    model = load(scene(held(beam, "clamped"), push, coordinates=coordinates))
+    at_rest = equilibrium(model)
+    assert at_rest["rod.bend_1"][0] == pytest.approx(unit / 3, rel=1e-12)
+    assert at_rest["rod.bend_2"][0] == pytest.approx(unit / 2, rel=1e-12)
+    run = simulate(model, duration="1 us", tolerance=1e-6, initial=at_rest)
+    assert run["rod.deflection_100"][0] == pytest.approx(unit / 3, rel=1e-12)
+    assert run["rod.sag_50"][0] == pytest.approx(-unit / 16, rel=1e-12)
+    assert run["rod.moment_0"][0] == pytest.approx(0.5 * L, rel=1e-12)
+    assert run["rod.stress_0"][0] == pytest.approx(0.5 * L / 1e-7, rel=1e-12)
 
 
 @pytest.mark.parametrize(

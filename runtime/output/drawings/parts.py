@@ -521,7 +521,10 @@ class Parts:
 
 
 def _smooth(points: Array, ways: Array) -> Array:
-    """Return a curve through points (k, 3) by Hermite's cubics, ten between two; ways: its slopes by their number."""
+    """Return a curve through points (k, 3) by Hermite's cubics, ten places between two.
+
+    ways: slopes by the number of the point.
+    """
     at = np.arange(10)[:, None] / 10
     pieces = [
         (1 - at) ** 2 * ((1 + 2 * at) * a + at * slope) + at**2 * ((3 - 2 * at) * b + (at - 1) * end)
