@@ -12,6 +12,7 @@ from hertzwerk.derive.laws.law import Law
 
 FILES = (
     ("stiffness", "hertz_point power galin_sneddon"),
+    ("plastic", "thornton kogut_etsion jackson_green"),
     ("logarithmic", "johnson hertz_cylinder radzimovsky goldsmith goldsmith_m3 dubowsky_freudenstein esdu_78035"),
     (
         "line",

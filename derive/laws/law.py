@@ -8,19 +8,21 @@ Calling a law binds its parameters, in order or by name; a `Material` fills a pa
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field, fields
 from fractions import Fraction
 from functools import cached_property
 from inspect import Parameter as Argument
 from inspect import Signature
+from itertools import pairwise
 from typing import Any, ClassVar
 
 import sympy as sp
 
 from hertzwerk.derive.common.markup import Markup, heading, joined, table, tag
 from hertzwerk.derive.common.mathml import inline, lines_of
+from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.expressions.algebra.notation import latex_name, latex_of, text_of
 from hertzwerk.derive.expressions.algebra.tagged import Tagged
 from hertzwerk.derive.expressions.parameter import POSITIVE, Interval, Parameter, Slot
@@ -47,10 +49,14 @@ k_t = Quantity("k_t", "N/m", "tangent stiffness dF/dd of the stiffness law")
 N = Quantity("N", "N", "normal force")
 s = Quantity("s", "m/s", "sliding velocity")
 z = Quantity("z", "m", "bristle deflection")
+d_m = Quantity("d_m", "m", "largest penetration of the contact")
+d_r = Quantity("d_r", "m", "dent, the penetration at which the contact is unloaded")
+h_m = Quantity("h_m", "m", "depth that unloading recovers, d_m - d_r")
+F_m = Quantity("F_m", "N", "force of loading at the largest penetration")
 eps_w = Quantity("epsilon_w", "1", "eccentricity over clearance, along the squeeze velocity")
 eps_c = Quantity("epsilon_c", "1", "eccentricity over clearance, across it, a quarter turn on about the axis")
 h = Quantity("h", "m", "thickness of the film between a sphere and what it nears")
-STATE = (d, v, v0, F, k_t, N, s, z, eps_w, eps_c, h)
+STATE = (d, v, v0, F, k_t, N, s, z, d_m, d_r, h_m, F_m, eps_w, eps_c, h)
 
 # Supplied by a pair, once per run.
 R_eff = Quantity("R_eff", "m", "radius of relative curvature of the pair", POSITIVE)
@@ -75,6 +81,9 @@ FORMS = ("point", "line", "surface")
 
 BRISTLE = z
 """Continuous memory: for a law that contains it the deflection is integrated during a contact, and reset to zero when it ends."""
+
+YIELD_STRENGTH = "sigma_y"
+"""Name of the parameter that a material supplies from its yield strength; of two the lower one."""
 
 APPROACH_SPEED = v0
 """Discrete memory: for a law that contains it the approach speed is latched at the onset of a contact."""
@@ -163,6 +172,10 @@ class Law:
         named = {
             symbol.name: value for symbol, value in self.defaults if symbol.name in names[len(arguments) :]
         } | named
+        materials = tuple(value for value in values if isinstance(value, Material))
+        softest = [material.yield_strength for material in materials if material.yield_strength is not None]
+        if softest and YIELD_STRENGTH in names[len(arguments) :]:
+            named = {YIELD_STRENGTH: sp.Min(*softest)} | named
         missing = [name for name in names[len(arguments) :] if name not in named]
         if len(arguments) > len(names) or unknown or missing:
             wrong = [f"missing {', '.join(missing)}"] if missing else []
@@ -170,7 +183,6 @@ class Law:
             wrong += [f"{len(arguments)} values for {len(names)}"] if len(arguments) > len(names) else []
             raise TypeError(f"law {self.name} takes ({', '.join(names)}): {'; '.join(wrong)}")
         arguments += [named[name] for name in names[len(arguments) :]]
-        materials = tuple(value for value in values if isinstance(value, Material))
         return BoundLaw(self, tuple(_exact(value) for value in arguments), materials)
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
@@ -251,6 +263,67 @@ class StiffnessLaw(Law):
             return self.stored
         terms = [weight * 2 * node * self.force.xreplace({d: d * node**2}) for node, weight in gauss_legendre(16)]
         return d * sp.Add(*terms)
+
+
+_HERTZ = sp.Rational(3, 2)  # exponent of his law
+
+
+@dataclass(frozen=True)
+class PlasticLaw(StiffnessLaw):
+    """Elastic-plastic normal force, with the largest penetration as memory: `force` is that of loading.
+
+    It is `elastic`, Hertz's, up to `onset` [m], first yield, then by `stages` [N]: each takes over from the one before where it is
+    less. From a largest penetration d_m beyond first yield the force is
+
+        F_m ((d - d_r)/h_m)^steepness,   F_m = force and d_r = dent at d_m, h_m = d_m - d_r,
+
+    at every smaller penetration d, in both directions: elastic unloading down to `dent` [m], the depth that stays. It and
+    `steepness` are given as functions of d, which is d_m there.
+    """
+
+    force: sp.Expr = field(init=False)
+    elastic: sp.Expr = sp.S.Zero
+    onset: sp.Expr = sp.S.Zero
+    stages: tuple[sp.Expr, ...] = ()
+    dent: sp.Expr = sp.S.Zero
+    steepness: sp.Expr = _HERTZ
+
+    def __post_init__(self) -> None:
+        """Compose the force of loading; raises ValueError as for every stiffness law."""
+        loading = self.stages[0]
+        for before, after in pairwise(self.stages):
+            loading = Where(after < before, after, loading)
+        object.__setattr__(self, "force", Where(d <= self.onset, self.elastic, loading))
+        super().__post_init__()
+
+    @property
+    def loading(self) -> StiffnessLaw:
+        """Elastic law with the force of loading, which a first contact has up to its largest penetration."""
+        own = {field.name: getattr(self, field.name) for field in fields(StiffnessLaw)}
+        return StiffnessLaw(**own)
+
+    @property
+    def kinks(self) -> tuple[sp.Expr, ...]:
+        """Where each stage takes over from the one before: expressions of d [1] that fall through zero there."""
+        return tuple(after / before - 1 for before, after in pairwise(self.stages))
+
+    @property
+    def returned(self) -> tuple[sp.Expr, ...]:
+        """Energy [J] that unloading from a penetration d returns, before first yield and in each stage."""
+        beyond = (force * (d - self.dent) / (self.steepness + 1) for force in self.stages)
+        return self.elastic * d / (_HERTZ + 1), *beyond
+
+    @property
+    def unloading(self) -> sp.Expr:
+        """Force [N] at a penetration d from a largest penetration d_m beyond first yield."""
+        return F_m * ((d - d_r) / h_m) ** self.steepness.xreplace({d: d_m})
+
+    def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
+        """Yield the loading force, then first yield, dent and unloading force from the largest penetration."""
+        yield from super().expressions()
+        yield "depth of first yield", self.onset, "m"
+        yield "dent", self.dent.xreplace({d: d_m}), "m"
+        yield "unloading force", self.unloading, "N"
 
 
 @dataclass(frozen=True)
@@ -430,6 +503,25 @@ class BoundLaw:
         """Value of each of the law's parameters."""
         return dict(zip(self.law.parameters, self.values, strict=True))
 
+    def resolved(
+        self,
+        geometry: Mapping[str, Any],
+        let: Callable[..., Any],
+        known: Mapping[sp.Symbol, Any],
+        stated: Callable[..., Any] = lambda *_: None,
+    ) -> dict[sp.Symbol, Any]:
+        """Return the values of its symbols: the known ones, parameters, geometry by name, definitions.
+
+        let     names a value: (expression, name, dimension) -> symbol
+        stated  dimension of a definition where it is stated: (symbol, values)
+        """
+        values = {**known, **self.binding}
+        for quantity in self.law.geometry:
+            values[quantity] = let(geometry[quantity.name], quantity.name)
+        for symbol, expression in self.law.definitions:
+            values[symbol] = let(expression.xreplace(values), symbol.name, stated(symbol, values))
+        return values
+
     def slots(self, where: str, geometry: dict[str, Any]) -> Iterator[Slot]:
         """Yield the values given to the law, and those of the pair's `geometry` that it has ranges for."""
         limits = {
@@ -458,7 +550,8 @@ class BoundLaw:
 
 
 _LETTERS = {"penetration": "d", "normal force": "F", "stored energy": "W", "damping force": r"F_{\mathrm{d}}",
-            "friction force": r"F_{\mathrm{t}}"}  # fmt: skip
+            "friction force": r"F_{\mathrm{t}}", "unloading force": r"F_{\mathrm{u}}", "dent": r"d_{\mathrm{r}}",
+            "depth of first yield": r"d_{\mathrm{y}}"}  # fmt: skip
 
 
 def law_html(law: Law, bound: BoundLaw | None = None) -> Markup:

@@ -7,7 +7,17 @@ from collections.abc import Iterator
 
 from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.formulas.stiffness import MATERIALS
-from hertzwerk.derive.laws.law import FORMS, GRADES, DampingLaw, FrictionLaw, Law, Quantity
+from hertzwerk.derive.laws.law import (
+    FORMS,
+    GRADES,
+    YIELD_STRENGTH,
+    DampingLaw,
+    FrictionLaw,
+    Law,
+    PlasticLaw,
+    Quantity,
+    d_m,
+)
 
 _HEADINGS = {
     "stiffness": "Stiffness laws: the elastic normal force F(d)",
@@ -65,6 +75,8 @@ def remembered(law: Law) -> Iterator[Quantity]:
     """Yield what a law remembers of its contact, such as v0, the approach speed."""
     if isinstance(law, DampingLaw):
         yield from law.memory
+    elif isinstance(law, PlasticLaw):
+        yield d_m
     elif isinstance(law, FrictionLaw):
         yield from (symbol for symbol, *_ in law.memory)
 
@@ -99,7 +111,8 @@ def _class(law: Law) -> Iterator[str]:
     values = dict(law.defaults)
     taken = [f"{p.name}: Scalar{' = ...' if p in values else ''}" for p in law.parameters]
     of_materials = law.parameters[: len(MATERIALS)] == MATERIALS
-    ways = [["first: Material", "second: Material", "/", *taken[len(MATERIALS) :]], taken] if of_materials else [taken]
+    other = [f"{YIELD_STRENGTH}: Scalar = ..." if name == f"{YIELD_STRENGTH}: Scalar" else name for name in taken]
+    ways = [["first: Material", "second: Material", "/", *other[len(MATERIALS) :]], taken] if of_materials else [taken]
     for way in ways:
         yield from ["    @overload"] if of_materials else []
         yield f"    def __call__({', '.join(['self', *way])}) -> BoundLaw: ..."

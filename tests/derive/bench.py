@@ -27,7 +27,8 @@ TYPICAL = {
     "n": "1.5", "K": "2.4e9", "k": "2", "C": "50",
     "e": "0.7", "gamma": "1e4", "chi": "1e9", "m": "1.5", "A": "2e-6", "m_eff": "0.2", "v0": "1",
     "mu": "0.2", "mu_k": "0.15", "mu_s": "0.25", "v_s": "1e-3", "v_S": "0.05", "v_a": "1e-3", "v_b": "1e-2", "v_r": "0.02", "c_v": "3",
-    "N_t": "10", "xi": "20", "s_0": "1e5", "s_1": "3", "z": "1e-6", "N": "700",
+    "N_t": "10", "xi": "20",
+    "sigma_y": "1e9", "d_m": "8e-5", "d_r": "5e-5", "h_m": "3e-5", "F_m": "900", "s_0": "1e5", "s_1": "3", "z": "1e-6", "N": "700",
 }  # fmt: skip
 STIFFNESS = {name: law for name, law in LAWS.items() if isinstance(law, StiffnessLaw)}
 

@@ -1,4 +1,4 @@
-"""Scenes for statics: drives held where they are at a time, and no start in motion."""
+"""Scenes for statics: drives held where they are at a time, no start in motion, contacts that load."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from hertzwerk.derive.declare.effects.contacts import Contact
 from hertzwerk.derive.declare.effects.drives import Drive
 from hertzwerk.derive.declare.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.declare.effects.state_expression import T
@@ -13,6 +14,14 @@ from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.expressions.parameter import Parameter
 
 HELD_TIME = "held_time"  # parameter: time at whose positions the drives are held
+
+
+def with_loading_laws(scene: Scene) -> Scene:
+    """Return the scene with the force of loading of elastic-plastic contacts as an elastic law."""
+    dents = {contact.name: contact for contact in scene.all(Contact) if contact.plastic is not None}
+    laws = {name: replace(of.stiffness, law=of.stiffness.law.loading) for name, of in dents.items()}
+    loading = {name: replace(of, stiffness=laws[name], same_spot=False) for name, of in dents.items()}
+    return scene.replace(**loading)
 
 
 def with_drives_held(scene: Scene) -> Scene:

@@ -10,7 +10,7 @@ import sympy as sp
 
 from hertzwerk.derive.common.faults import Fault
 from hertzwerk.derive.common.units import parse_unit
-from hertzwerk.derive.declare.effects.contacts import Contact, Friction
+from hertzwerk.derive.declare.effects.contacts import DEEPEST, DENT, STAGE, Contact, Friction
 from hertzwerk.derive.declare.effects.effect import together
 from hertzwerk.derive.declare.effects.tribology.rolling_resistance import Grip, Moment, PairResistance
 from hertzwerk.derive.declare.mechanism.pair import Pair
@@ -19,7 +19,7 @@ from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.expressions.algebra.vectors import ZERO, Vector, add, cross, dot, scale, sub
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
-from hertzwerk.derive.laws.law import BRISTLE, GEOMETRY, BoundLaw, F, N, Quantity, d, k_t, s, v, v0
+from hertzwerk.derive.laws.law import BRISTLE, BoundLaw, F, N, PlasticLaw, Quantity, d, k_t, s, v, v0
 from hertzwerk.derive.laws.smoothing import begun, energy_begun
 
 NEWTON, JOULE, METRE, PURE = (Dimension.from_unit(unit) for unit in ("N", "J", "m", "1"))
@@ -61,6 +61,14 @@ class Forces:
         return [*([] if self.grip is None else [self.grip]), *self.turning.values()]
 
 
+def _staged(number: Any, expressions: Sequence[Any], values: Mapping[sp.Symbol, Any]) -> Any:
+    """Return the expression of a stage, numbered from 0, at some values."""
+    chosen = expressions[-1].xreplace(values)
+    for k, expression in reversed(list(enumerate(expressions[:-1]))):
+        chosen = Where(number < k + 1, expression.xreplace(values), chosen)
+    return chosen
+
+
 class PairKinematics:
     """Contact forces of one pair on its kinematics' tape."""
 
@@ -68,7 +76,7 @@ class PairKinematics:
         self.kin = kinematics
         self.pair = pair
         self.touch: Touch = pair.touch(kinematics)
-        self._geometry = {quantity: geometry[quantity.name] for quantity in GEOMETRY if quantity.name in geometry}
+        self._geometry = geometry
 
     def _named(self, vector: Vector, label: str) -> Vector:
         return self.touch.named(vector, label)
@@ -82,20 +90,57 @@ class PairKinematics:
 
         Definitions of unchecked laws have the dimension the law declares.
         """
-        values: dict[sp.Symbol, Any] = {**known, **bound.binding}
-        for quantity in bound.law.geometry:
-            values[quantity] = self.let(self._geometry[quantity], quantity.name)
-        for symbol, expression in bound.law.definitions:
-            stated = self._stated(symbol, values) if unchecked else None
-            values[symbol] = self.let(expression.xreplace(values), symbol.name, stated)
-        return values
+        return bound.resolved(self._geometry, self.let, known, self._stated if unchecked else lambda *_: None)
 
     def _stated(self, symbol: Quantity, values: dict[sp.Symbol, Any]) -> Dimension:
         return Dimension.from_unit(parse_unit(symbol.unit), {s.name: value for s, value in values.items()})
 
+    def gap(self, contact: Contact) -> tuple[Any, Any, Any]:
+        """Gap, to the ground of a dent that an elastic-plastic contact has left; its rate, acceleration."""
+        touch = self.touch
+        if contact.plastic is None:
+            return touch.gap, touch.gap_rate, touch.gap_acceleration
+        rate = self.kin.tape.rate(touch.penetration, f"{contact.name}_indentation_rate")
+        second = self.kin.tape.rate(rate, f"{contact.name}_indentation_acceleration")
+        return self.let(self.kin.state(f"{contact.name}.{DENT}") - touch.penetration, "gap_to_dent"), -rate, -second
+
+    def plastic(self, contact: Contact, law: PlasticLaw) -> tuple[Any, Any, Any]:
+        """Force [N], energy that unloading returns [J], force that the dent takes [N], of a plastic law.
+
+        By the stage, not by the depth, so that a step may look beyond the event that ends it. A branch that does not hold is
+        evaluated at the depth of first yield, and remains finite.
+        """
+        stage, deepest, dent = (self.kin.state(f"{contact.name}.{name}") for name in (STAGE, DEEPEST, DENT))
+        depth, values = self.touch.penetration, self._law(contact.stiffness, {}, contact.unchecked)
+        onset, stated = law.onset.xreplace(values), ((NEWTON, JOULE, METRE, PURE) if contact.unchecked else (None,) * 4)
+        unloads = stage < 0
+        number = self.let(Where(unloads, -stage, stage), "stage_number")
+        loaded = {**values, d: self.let(Where(depth > 0, depth, onset), "loaded_depth")}
+        turned = {**values, d: self.let(Where(unloads, deepest, onset), "turned_depth")}
+        forces = (law.elastic, *law.stages)
+        loading = self.let(_staged(number, forces, loaded), "loading_force", stated[0])
+        peak = self.let(_staged(number, forces, turned), "peak_force", stated[0])
+        steepness = self.let(law.steepness.xreplace(turned), "steepness", stated[3])
+        lift = self.let(Where(unloads, deepest - dent, onset), "lift")
+        share = self.let(Where(unloads, Where(depth > dent, depth - dent, 0), onset) / lift, "share")
+        unloading = self.let(peak * share**steepness, "unloading_force", stated[0])
+        force = self.let(self._pressed(Where(unloads, unloading, loading), dent), "elastic_force", stated[0])
+        recovered = _staged(number, law.returned, loaded)
+        left = unloading * lift * share / (steepness + 1)
+        stored = self.let(self._pressed(Where(unloads, left, recovered), dent), "stored_energy", stated[1])
+        spent = (force - sp.diff(energy, d) for force, energy in zip(law.stages, law.returned[1:], strict=True))
+        taken = _staged(number, (sp.S.Zero, *spent), loaded)
+        return force, stored, self.let(Where(unloads, 0, taken), "plastic_force", stated[0])
+
+    def _pressed(self, expression: Any, dent: Any) -> Any:
+        """The expression where the surfaces press on each other, in a dent too, else 0."""
+        return Where(self.touch.penetration > dent, expression, 0)
+
     def elastic(self, contact: Contact) -> tuple[Any, Any]:
         """Elastic force [N] and stored energy [J], zero while open."""
         law = contact.stiffness.law
+        if contact.plastic is not None:
+            return self.plastic(contact, contact.plastic)[:2]
         values = self._law(contact.stiffness, {d: self._depth(contact)}, contact.unchecked)
         stated = (NEWTON, JOULE) if contact.unchecked else (None, None)
         force = self.let(self._closed(law.force.xreplace(values)), "elastic_force", stated[0])
@@ -148,10 +193,13 @@ class PairKinematics:
         elastic, _ = self.elastic(contact)
         worn, stretch = self.touch.worn, self.touch.stretch
         normal_force, normal_power = elastic, sp.S.Zero
+        if contact.plastic is not None:
+            taken = self.plastic(contact, contact.plastic)[2]
+            normal_power = self.let(-taken * self.gap(contact)[1], "plastic_power")
         if contact.damping is not None:
             resistance = self._resistance(contact, contact.damping, elastic, approach_speed)
             normal_force = self.let(elastic + resistance, "normal_force" if stretch is None else "gradient_force")
-            normal_power = self.let(resistance * self.touch.penetration_rate, "normal_power")
+            normal_power = self.let(normal_power + resistance * self.touch.penetration_rate, "normal_power")
         along_gradient = normal_force
         if stretch is not None:
             normal_force = self.let(stretch * along_gradient, "normal_force")

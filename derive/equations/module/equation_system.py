@@ -185,7 +185,8 @@ class System:
     @cached_property
     def limited(self) -> dict[str, Any]:
         """Pair -> approach speed up to which its law holds, where a density is known."""
-        limits = {contact.name: speed_limit(contact.laws) for _, contact, _ in self.contacts}
+        elastic = (contact for _, contact, _ in self.contacts if contact.plastic is None)
+        limits = {contact.name: speed_limit(contact.laws) for contact in elastic}
         return {name: limit for name, limit in limits.items() if limit is not None}
 
     @cached_property

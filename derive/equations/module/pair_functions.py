@@ -19,14 +19,14 @@ def gaps(system: System) -> Function:
         "gaps",
         "Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.",
         "t q u c",
-        system.of_pairs("G", "m", [pair.touch.gap for pair, _, _ in system.contacts]),
-        system.of_pairs("dG", "m/s", [pair.touch.gap_rate for pair, _, _ in system.contacts]),
+        system.of_pairs("G", "m", [pair.gap(contact)[0] for pair, contact, _ in system.contacts]),
+        system.of_pairs("dG", "m/s", [pair.gap(contact)[1] for pair, contact, _ in system.contacts]),
     )
 
 
 def gap_accelerations(system: System) -> Function:
     """Second derivatives of the gaps."""
-    values = [pair.touch.gap_acceleration for pair, _, _ in system.contacts]
+    values = [pair.gap(contact)[2] for pair, contact, _ in system.contacts]
     return system.function(
         "gap_accelerations", "Second derivative of every gap.", "t q u a c", system.of_pairs("ddG", "m/s^2", values)
     )

@@ -45,6 +45,22 @@ def depth_under_gravity(K: float, n: float, m: float, v0: float, g: float) -> fl
     return _root(lambda d: K * d ** (n + 1) / (n + 1) - m * v0**2 / 2 - m * g * d, free, 10 * free)
 
 
+def thornton(R: float, m: float, modulus: float, pressure: float, fall: float, g: float) -> tuple[float, float]:
+    """Return largest penetration [m] and returned energy [J] of a ball that falls on a plane and yields.
+
+    By Thornton's law, with the effective modulus and the limiting pressure [Pa], gravity counted to the largest penetration.
+    """
+    d_y = R * (math.pi * pressure / (2 * modulus)) ** 2
+    F_y, slope = math.pi**3 * R**2 * pressure**3 / (6 * modulus**2), math.pi * pressure * R
+
+    def left(x: float) -> float:
+        return 2 * F_y * d_y / 5 + F_y * x + slope * x**2 / 2 - m * g * (fall + d_y + x)
+
+    x = _root(left, 0, R)
+    force, depth = F_y + slope * x, d_y + x
+    return depth, 2 / 5 * force * depth * force / (4 / 3 * modulus * math.sqrt(R) * depth**1.5)
+
+
 def static_penetration(K: float, n: float, m: float, g: float) -> float:
     """Return the penetration that carries the weight."""
     return float((m * g / K) ** (1 / n))

@@ -42,6 +42,9 @@ TRIES: dict[str, dict[str, int]] = {
         "idas": 327,
     },
     "jump_ristow": {"dopri5": 60, "dop853": 40, "rodas": 65, "esdirk": 58, "auto": 40, "cvodes": 327, "idas": 327},
+    "yields_just": {"dopri5": 115, "dop853": 63, "rodas": 151, "esdirk": 119, "auto": 63},
+    "yields_deep": {"dopri5": 91, "dop853": 53, "rodas": 120, "esdirk": 100, "auto": 53},
+    "vibrates_on_its_dent": {"dopri5": 1082, "dop853": 574, "rodas": 1382, "esdirk": 1048, "auto": 574},
     "masses_heavy_striker": {
         "dopri5": 56,
         "dop853": 32,

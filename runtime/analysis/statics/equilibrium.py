@@ -56,19 +56,25 @@ REPORTED = 1e-8  # part of the forces that counts as unbalanced
 def held(model: EngineModel) -> EngineModel:
     """Return a model for statics: itself, or its scene by the joints' coordinates with every drive held.
 
-    A held drive stands where it would be at the parameter `held_time`. Raises InputError for a model without its
+    A held drive stands where it would be at the parameter `held_time`, an elastic-plastic contact loads. Raises InputError for a model without its
     scene, as a saved run has it.
     """
-    drives = drives_of(model)
-    if not drives and model.joints is model:
+    drives, dents = drives_of(model), dents_of(model)
+    if not drives and not dents and model.joints is model:
         return model
     scene = model.declared_for("statics").scene()
-    return engine_model(replace(build.held(scene) if drives else scene, coordinates="tree"))
+    scene = build.held(scene) if drives else scene
+    return engine_model(replace(build.loading(scene) if dents else scene, coordinates="tree"))
 
 
 def drives_of(model: EngineModel) -> tuple[str, ...]:
     """Return the names of a model's drives."""
     return tuple(name for name, kind, _ in model.module.EFFECTS if kind == "drive")
+
+
+def dents_of(model: EngineModel) -> tuple[str, ...]:
+    """Return the pairs of a model whose law is elastic-plastic."""
+    return tuple(pair for pair in model.pairs if f"{pair}.dent" in model.coordinates)
 
 
 def parameters_at(model: EngineModel, held: EngineModel, parameters: Mapping[str, Value], t: float) -> dict[str, Value]:

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from hertzwerk.derive.common.faults import Fault, InputError, shown
 from hertzwerk.derive.common.markup import heading, table
 from hertzwerk.runtime.analysis.statics.balance import RANK, UNDAMPED, kernel
-from hertzwerk.runtime.analysis.statics.equilibrium import Equilibrium, equilibrium, inputs_at
+from hertzwerk.runtime.analysis.statics.equilibrium import Equilibrium, dents_of, equilibrium, inputs_at
 from hertzwerk.runtime.engine.inputs.input_values import Input
 from hertzwerk.runtime.engine.integration.step.implicit_step import linearised
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT
@@ -359,6 +359,10 @@ def of_equilibrium(rest: Equilibrium) -> Modes:
     latched = [name for name in model.latches if rest.contacts[name.rpartition(".")[0]]]
     verb = "is" if len(latched) == 1 else "are"
     notes = [f"undamped: {', '.join(latched)} {verb} not defined at rest"] if latched else []
+    if dented := [pair for pair in dents_of(rest.of) if rest.contacts[pair]]:
+        notes.append(
+            f"{', '.join(dented)}: loads; beyond first yield modes(run) of a run at rest has the stiffness of unloading"
+        )
     still = np.zeros(model.nu)
     return _modes(model, rest.bound, rest.t, rest.q, still, rest.memory, mode, m, (*rest.notes, *notes))
 

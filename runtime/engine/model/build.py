@@ -171,6 +171,13 @@ def held(scene: Scene) -> Scene:
     return with_drives_held(scene)
 
 
+def loading(scene: Scene) -> Scene:
+    """Return the scene with the force of loading of its elastic-plastic contacts as elastic laws."""
+    from hertzwerk.derive.declare.scene.held_drives import with_loading_laws
+
+    return with_loading_laws(scene)
+
+
 _IN_FILE = re.compile(r"(?P<file>[^()=]+?\.toml)(?::(?P<law>\w+))?")
 _NOT_IN_FILE = re.compile(r"[()=]| x ")
 

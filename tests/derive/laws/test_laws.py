@@ -11,13 +11,14 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from hertzwerk.derive.laws import LAWS, exact, hertz_point
-from hertzwerk.derive.laws.law import DampingLaw, F, FrictionLaw, N, StiffnessLaw, d, k_t, s, v, v0
+from hertzwerk.derive.laws.law import DampingLaw, F, FrictionLaw, N, PlasticLaw, StiffnessLaw, d, k_t, s, v, v0
 from reference import laws as cited
 from reference.closed_forms import exact_factor, restitution
 
 LOGARITHMIC = [name for name, law in STIFFNESS.items() if law.relation is not None and "LambertW" in str(law.force)]
 # palmgren and pereira_internal as published want millimetres: in SI the latter's exponent is no real number
 NUMERIC = [name for name, law in STIFFNESS.items() if name != "pereira_internal"]
+ELASTIC = [name for name in NUMERIC if not isinstance(LAWS[name], PlasticLaw)]  # the work of others is not stored
 DAMPING = {name: law for name, law in LAWS.items() if isinstance(law, DampingLaw)}
 HYSTERESIS = {name: law for name, law in DAMPING.items() if law.factor is not None}
 FRICTION = {name: law for name, law in LAWS.items() if isinstance(law, FrictionLaw)}
@@ -77,7 +78,7 @@ def test_onset_is_continuously_differentiable(name):
 
 
 @pytest.mark.by_turns(2)
-@pytest.mark.parametrize("name", NUMERIC)
+@pytest.mark.parametrize("name", ELASTIC)
 def test_emitted_force_and_work(name):
     """The generated text, in doubles, is the law, in 40 digits; `work` is the integral of the force."""
     law = LAWS[name]
@@ -99,7 +100,7 @@ def test_emitted_force_and_work(name):
         assert joule(float(depth)) == near(integral, rel=2e-11 if "LambertW" in str(law.force) else 1e-12)
 
 
-@pytest.mark.parametrize("name", [n for n in NUMERIC if not LAWS[n].relation])
+@pytest.mark.parametrize("name", [n for n in ELASTIC if not LAWS[n].relation])
 def test_no_force_at_the_onset(name):
     law = LAWS[name]
     assert evaluate(law.force, numbers(law) | {d: mpf(0)}) == 0

@@ -5,7 +5,16 @@ from __future__ import annotations
 import math
 
 from hertzwerk.runtime.analysis.hard_cases import closed_forms
-from hertzwerk.runtime.analysis.hard_cases.case import METHODS, REFERENCED, HardCase, Source, contacts, final, impact
+from hertzwerk.runtime.analysis.hard_cases.case import (
+    METHODS,
+    REFERENCED,
+    HardCase,
+    Source,
+    contacts,
+    final,
+    impact,
+    largest,
+)
 
 RELATION = "h (1 + e) = ln((1 + h)/(1 - h e)), Hunt and Crossley 1975"
 TOLERANCE = 1e-8
@@ -169,6 +178,52 @@ def _through_film() -> HardCase:
     )
 
 
+_R, _G, _STRENGTH, _MODULUS = 0.025, 9.81, 1e9, 207e9 / (2 * (1 - 0.3**2))
+_BALL = 4 / 3 * math.pi * _R**3 * 7800
+
+
+def _yields(label: str, hard: str, height: float) -> HardCase:
+    """Return the case of a ball that yields in its first impact, and falls on the plane again."""
+    depth, returned = closed_forms.thornton(_R, _BALL, _MODULUS, 1.6 * _STRENGTH, height, _G)
+    again = math.sqrt(2 * (returned / _BALL - _G * depth))
+    v0 = math.sqrt(2 * _G * height)
+    return HardCase(
+        name=f"yields_{label}",
+        theme="impacts",
+        hard=hard,
+        source=Source("yielding_ball"),
+        duration=(v0 + 2.2 * again) / _G,
+        tolerance=TOLERANCE,
+        methods=METHODS,
+        parameters={"drop_height": (height, "m")},
+        known=(
+            contacts(2, "the ball falls on the plane again"),
+            impact(0, "peak_penetration", depth, PART * depth, "work of loading by Thornton's law = m g (h + d)"),
+            impact(1, "speed", again, PART * again, "energy that unloading returns, less m g d"),
+        ),
+    )
+
+
+def _on_its_dent() -> HardCase:
+    """Return the case of a ball so heavy that it stays in its dent, and vibrates there."""
+    height, g = 1e-3, 1e6
+    depth, _ = closed_forms.thornton(_R, _BALL, _MODULUS, 1.6 * _STRENGTH, height, g)
+    return HardCase(
+        name="vibrates_on_its_dent",
+        theme="impacts",
+        hard="a contact that has yielded and stays loaded comes back each time to just the penetration at which it would yield again",
+        source=Source("yielding_ball"),
+        duration=2e-3,
+        tolerance=TOLERANCE,
+        methods=METHODS,
+        parameters={"gravity": (g, "m/s^2"), "drop_height": (height, "m")},
+        known=(
+            contacts(1, "it does not leave the plane"),
+            largest("floor.deepest", depth, PART * depth, "work of loading by Thornton's law = m g (h + d)", "m"),
+        ),
+    )
+
+
 _XI = closed_forms.damping_ratio(0.5)
 _GAMMA = 2 * _XI * math.sqrt(1e6)
 
@@ -205,6 +260,9 @@ CASES = (
         _XI,
         pulls=False,
     ),
+    _yields("just", "an impact 0.14 % faster than first yield: it unloads 0.1 us after", 1e-3),
+    _yields("deep", "an impact 700 times as fast as first yield: 99 m/s, restitution 0.23", 500.0),
+    _on_its_dent(),
     _masses(1e4, 1e-4, "heavy_striker", "mass ratio 1e8, the heavy one strikes"),
     _masses(1e-4, 1e4, "light_striker", "mass ratio 1e8, the light one strikes"),
     _through_film(),

@@ -44,6 +44,7 @@ from known_friction import (
     sphere_before_plane,
     threlfall_published,
 )
+from known_plastic import JACKSON_GREEN, KOGUT_ETSION, THORNTON
 from known_stiffness import (
     PAIRS,
     SEAM,
@@ -178,6 +179,9 @@ EVIDENCE: dict[str, tuple[Evidence, ...]] = {
         force_is(EXACT, "a cone, 2 E* d^2/(pi tan)", lambda b, x: 2 * b.star * x**2 / (mp.pi * mpf("0.3")), k="1", C="0.3"),
         local_exponent(k="4", C="500"),
     ),
+    "thornton": (*THORNTON, SMALLER),
+    "kogut_etsion": KOGUT_ETSION,
+    "jackson_green": JACKSON_GREEN,
     "palmgren": (in_millimetres(palmgren_mm, lambda b: mpf(10) / 9, PAIRS), SMALLER),
     "palmgren_si": (force_is(TYPED, "as printed", palmgren_mm), Evidence(TYPED, "in other units", other_units), SMALLER, UNITS, local_exponent(),
                     near_johnson("side by side")),

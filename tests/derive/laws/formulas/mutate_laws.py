@@ -41,7 +41,8 @@ class Mutant:
 def constants(law: Any) -> Iterator[Mutant]:
     """Every mutant of a law."""
     for field in fields(law):
-        yield from _of_field(law, field.name, getattr(law, field.name))
+        if field.init:
+            yield from _of_field(law, field.name, getattr(law, field.name))
 
 
 def survivors(name: str, kinds: Container[str] = KINDS) -> Iterator[Mutant]:
@@ -69,6 +70,10 @@ def _of_field(law: Any, name: str, value: Any) -> Iterator[Mutant]:
     elif isinstance(value, Interval):
         for end, changed in _moved(value):
             yield Mutant(name, end, replace(law, **{name: changed}))
+    elif name == "stages":
+        for i, stage in enumerate(value):
+            for constant, changed in _changed(stage):
+                yield Mutant(name, constant, replace(law, stages=(*value[:i], changed, *value[i + 1 :])))
     elif name in ("definitions", "memory", "ranges", "defaults"):
         for i, row in enumerate(value):
             for where, constant, other in _rows(name, row):
