@@ -224,6 +224,15 @@ def test_both_coordinates_give_the_same_motion_and_reactions():
         assert one == pytest.approx(other, abs=1e-7 * size), name
 
 
+def test_the_acceleration_of_a_bent_end_is_the_rate_of_its_velocity():
+    run = simulate("flexible_slider_crank", duration="6 ms", tolerance=1e-11)
+    times = np.linspace(1e-3, 5e-3, 9)
+    for axis in "xy":
+        before, after = (run.at(times + step)[f"coupler_end.{axis}_speed"] for step in (-1e-6, 1e-6))
+        found = run.at(times)[f"coupler_end.{axis}_acceleration"]
+        assert found == pytest.approx((after - before) / 2e-6, abs=0.05)
+
+
 def test_the_start_of_a_rod_has_no_momentum_of_a_straight_one():
     histories = simulate("flexible_slider_crank", duration="1 us", tolerance=1e-4)
     assert "crank.kinetic_energy" in histories.units
