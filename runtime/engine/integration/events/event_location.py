@@ -387,11 +387,11 @@ def locate() -> Any:
     x = ca.if_else(in_dip, ca.fmax(at_bottom, low), (low + high) / 2)
     begun = ca.Function("begun", [bernstein, margin, doubt], ca.cse([a, x, low, high, first, part, in_doubt]))
     arguments, steps = begun.mx_in(), _newton_steps()
-    found: list[Any] = begun.call(arguments)
-    a, x, low, high, first, part, in_doubt = found
-    kept = ca.Function("kept", (known := steps.mx_in()), [*known[1:], ca.MX(1)])
+    start: list[Any] = begun.call(arguments)
+    a, x, low, high, first, part, in_doubt = start
+    same = ca.Function("same", (places := steps.mx_in()), [*places[1:], ca.MX(1)])
     x, low, high, settled = steps(a, x, low, high)
-    x, _, high, _ = ca.Function.if_else("settled", kept, steps)(settled, a, x, low, high)
+    x, _, high, _ = ca.Function.if_else("settled", same, steps)(settled, a, x, low, high)
     # within the margin of zero already at the part's left end: that end will do
     x = ca.if_else(_horner(ca.vertsplit(a), first) > 0, x, ca.fmax(first, high / PARTS))
     theta = ca.if_else(part < PARTS, x, ca.if_else(in_doubt, 0.5, NO_EVENT))
