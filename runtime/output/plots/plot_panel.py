@@ -33,17 +33,17 @@ CONSTANT = 1e-12  # relative: less change than this is rounding, and not drawn
 
 
 def caption(figure: Figure, run: EngineSolution, subtitle: str, notes: Sequence[str] = ()) -> None:
-    """Write title and differences from the scene; below the panels outcome, warnings and notes."""
+    """Write title and differences from the scene; below the panels outcome, findings of the warnings, and notes."""
     width, height = figure.get_size_inches()
     used = write_title(figure, title_of(run.engine.model, subtitle), differences(run))
     remarks = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
-    remarks += [*run.warnings, *notes]  # unchecked laws among them
+    remarks += [*(warning.partition("; ")[0] for warning in run.warnings), *notes]  # unchecked laws among them
     rows = [line for note in remarks for line in textwrap.wrap(note, int(12 * width))]
     if rows:
         look: Any = {"ha": "left", "va": "bottom", "fontsize": NOTE, "color": VERMILLION}
         figure.text(0.01, PAD / height, plain("\n".join(rows)), **look)
     layout: Any = figure.get_layout_engine()
-    layout.set(above=used, below=PAD + LINE * NOTE * len(rows))
+    layout.set(above=used, below=2 * PAD + LINE * NOTE * len(rows))
 
 
 def lines(
