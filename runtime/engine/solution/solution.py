@@ -27,7 +27,14 @@ from hertzwerk.runtime.engine.solution.impacts import Impact
 from hertzwerk.runtime.engine.solution.interval_sums import Sums
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.solution.step_observers import Choice, Findings, Needs
-from hertzwerk.runtime.engine.solution.step_warnings import Validity, beyond_theory, left_law, lost_grip, validity
+from hertzwerk.runtime.engine.solution.step_warnings import (
+    Validity,
+    bent_rods,
+    beyond_theory,
+    left_law,
+    lost_grip,
+    validity,
+)
 from hertzwerk.runtime.system.atomic_files import write_atomically
 from hertzwerk.runtime.system.lazy import cached_property
 from hertzwerk.runtime.system.result_folder import as_path
@@ -93,7 +100,8 @@ class EngineRun:
     def warnings(self) -> tuple[str, ...]:
         """Warnings found in the steps, now that they are read, and known ones."""
         left = left_law(self.model, self.findings.lasting, self.ends)
-        return (*beyond_theory(self.validity), *left, *lost_grip(self.model, self.history), *self.known_warnings)
+        of_rows = (*bent_rods(self.model, self.history), *lost_grip(self.model, self.history))
+        return (*beyond_theory(self.validity), *left, *of_rows, *self.known_warnings)
 
     @cached_property
     def validity(self) -> tuple[Validity, ...]:

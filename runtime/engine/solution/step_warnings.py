@@ -20,6 +20,7 @@ from hertzwerk.runtime.engine.solution.contact_watch import Lasting
 from hertzwerk.runtime.engine.solution.history import History, constraint_force
 from hertzwerk.runtime.engine.solution.impacts import Impact
 
+STRAIGHT = 0.02  # deflection of a rod over its length: from there on its truncated mass matrix may lose definiteness
 SMALL = 0.01  # share of a dissipation below which a number says no more
 START = 1e-9  # share of a run within which a contact began at its start
 
@@ -190,6 +191,28 @@ def left_law(model: EngineModel, lasting: Sequence[Lasting], ends: History) -> I
         f"{which} since t = {since:.4g} s, exceeded the range of its damping law{share}: gap rates up to "
         f"{worst.ratio:.2g} times the approach speed v0; take a law without v0 (`hertzwerk laws`), or raise approach_floor, the lowest v0"
     )
+
+
+def bent_rods(model: EngineModel, history: History) -> Iterator[str]:
+    """Yield a warning of each rod that bends further than its equations hold, at the kept times."""
+    marks = [row for row in model.module.LANDMARKS if row[1] == "flexible_rod"]
+    if history.p is None or not (marks and len(history.t)):
+        return
+    ends = [
+        {row[0]: model.module.BODIES.index(row[3]) for row in marks if row[2] == end} for end in ("parent", "child")
+    ]
+    t, y = history.t[0], history.part("y")[0]
+    (c,) = model.evaluate("constants", history.p)
+    places = model.evaluate("poses", t, y[: model.nq], c)[0].reshape(-1, 3)
+    for rod, first in ends[0].items():
+        length = float(np.linalg.norm(places[ends[1][rod]] - places[first]))
+        outputs = [name for name in model.outputs if name.startswith((f"{rod}.deflection_", f"{rod}.sag_"))]
+        most = max((float(np.max(np.abs(history[name]))) for name in outputs), default=0.0) / length
+        if most > STRAIGHT:
+            yield (
+                f"rod {rod} bends by {most:.2g} of its length, and its equations, of second order in that, hold up to about {STRAIGHT}; "
+                "take two rods in a row, which share it"
+            )
 
 
 def lost_grip(model: EngineModel, history: History) -> Iterator[str]:
