@@ -9,7 +9,7 @@ Effects:
     wear: Archard's wear at slider_pin
     energy_ledger: work put in, energy dissipated per effect
 Units: 195 assignments and 524 outputs checked, all consistent
-Operations: flight 991 (equations of motion and gaps); in contact also contact_slider_pin 420
+Operations: flight 974 (equations of motion and gaps); in contact also contact_slider_pin 420
 """
 
 import casadi as ca
@@ -18,7 +18,7 @@ NAME = "worn_slider_crank"
 SOURCE = "derive/scenes/worn_slider_crank.py"
 SUMMARY = "slider-crank, clearance joint that wears"
 FORMAT = "hertzwerk module 1"
-DIGEST = "22213cdfe38973e954ccbeca864c2b54"
+DIGEST = "456b0b60e772c2afaa9be7f56fd0b8e4"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
@@ -212,7 +212,7 @@ CONSTANTS = (
 )
 
 OPERATIONS = (
-    ("constants", 90), ("start", 5), ("scales", 15), ("coordinate_rates", 0), ("gaps", 349), ("gap_accelerations", 594),
+    ("constants", 90), ("start", 5), ("scales", 15), ("coordinate_rates", 0), ("gaps", 342), ("gap_accelerations", 584),
     ("contact_slider_pin", 420), ("applied", 11), ("accelerations", 37), ("ledger", 1), ("energy", 285), ("poses", 10), ("outputs", 78),
     ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
@@ -258,7 +258,7 @@ def constants(p):
     slider_pin_R_min = bush_radius - clearance
     wear_pin_sector = 3.141592653589793*slider_pin_R_min*bush_length/16
     wear_bush_sector = 3.141592653589793*bush_length*bush_radius/16
-    k1 = clearance*clearance/16
+    k1 = 0.0625*clearance*clearance
     inverse_clearance_squared = 1/(clearance*clearance)
     slider_pin_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
     twice_clearance = 2*clearance
@@ -401,7 +401,7 @@ def gaps(t, q, u, c):
     slider_pin_apart_rate_x = rod_arm_rate_x + slider_pin_pin_arm_rate_x - guide_speed
     slider_pin_apart_rate_y = rod_arm_rate_y + slider_pin_pin_arm_rate_y
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
-    wear_safe_squared = ca.if_else(slider_pin_apart_squared > clearance*clearance/16, slider_pin_apart_squared, k1)
+    wear_safe_squared = ca.if_else(slider_pin_apart_squared > 0.0625*clearance*clearance, slider_pin_apart_squared, k1)
     wear_length = ca.sqrt(wear_safe_squared)
     wear_radial_x = slider_pin_apart_x/wear_length
     wear_radial_y = slider_pin_apart_y/wear_length
@@ -425,13 +425,13 @@ def gaps(t, q, u, c):
     wear_bush_slope = ca.dot(wear_bush_shares_slope, ca.vertcat(wear_bush_1, wear_bush_2, wear_bush_3, wear_bush_4, wear_bush_5, wear_bush_6, wear_bush_7, wear_bush_8, wear_bush_9, wear_bush_10, wear_bush_11, wear_bush_12, wear_bush_13, wear_bush_14, wear_bush_15, wear_bush_16, wear_bush_17, wear_bush_18, wear_bush_19, wear_bush_20, wear_bush_21, wear_bush_22, wear_bush_23, wear_bush_24, wear_bush_25, wear_bush_26, wear_bush_27, wear_bush_28, wear_bush_29, wear_bush_30, wear_bush_31, wear_bush_32))
     wear_bush_turning = inverse_wear_length_squared*(slider_pin_apart_rate_y*slider_pin_apart_x - slider_pin_apart_rate_x*slider_pin_apart_y)
     wear_ratio = inverse_clearance_squared*slider_pin_apart_squared
-    wear_nearness = 16*wear_ratio/7 - 1/7
+    wear_nearness = 2.2857142857142856*wear_ratio - 0.14285714285714285
     wear_nearness_cubed = wear_nearness*wear_nearness*wear_nearness
     x3 = -15*wear_nearness
     wear_nearness_squared = wear_nearness*wear_nearness
     x5 = 6*wear_nearness_squared
     x6 = 10 + x3 + x5
-    wear_counted_share = ca.if_else(wear_ratio < 1/16, 0, ca.if_else(wear_ratio < 1/2, wear_nearness_cubed*x6, 1))
+    wear_counted_share = ca.if_else(wear_ratio < 0.0625, 0, ca.if_else(wear_ratio < 0.5, wear_nearness_cubed*x6, 1))
     wear_depth = wear_bush_depth + wear_pin_depth
     wear_counted = wear_counted_share*wear_depth
     slider_pin_reach = wear_counted + clearance
@@ -440,8 +440,8 @@ def gaps(t, q, u, c):
     slider_pin_gap = x8/(2*slider_pin_reach)
     slider_pin_apart_squared_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_x + 2*slider_pin_apart_rate_y*slider_pin_apart_y
     wear_ratio_rate = inverse_clearance_squared*slider_pin_apart_squared_rate
-    wear_nearness_rate = 16*wear_ratio_rate/7
-    wear_counted_share_rate = wear_nearness_rate*ca.if_else(wear_ratio < 1/16, 0, ca.if_else(wear_ratio < 1/2, wear_nearness_cubed*(12*wear_nearness - 15) + 3*wear_nearness_squared*x6, 0))
+    wear_nearness_rate = 2.2857142857142856*wear_ratio_rate
+    wear_counted_share_rate = wear_nearness_rate*ca.if_else(wear_ratio < 0.0625, 0, ca.if_else(wear_ratio < 0.5, wear_nearness_cubed*(12*wear_nearness - 15) + 3*wear_nearness_squared*x6, 0))
     wear_depth_rate = wear_bush_slope*wear_bush_turning + wear_pin_slope*wear_pin_turning
     wear_counted_rate = wear_counted_share*wear_depth_rate + wear_counted_share_rate*wear_depth
     slider_pin_gap_rate = wear_counted_rate*(1 - x8/(2*slider_pin_reach*slider_pin_reach)) - slider_pin_apart_squared_rate/(2*slider_pin_reach)
@@ -495,7 +495,7 @@ def gap_accelerations(t, q, u, a, c):
     slider_pin_apart_acceleration_y = rod_acceleration_y + crank_pin_acceleration*slider_pin_pin_arm_x + rod_rate_z*slider_pin_pin_arm_rate_x
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
     clearance_squared = clearance*clearance
-    x2 = clearance_squared/16
+    x2 = 0.0625*clearance_squared
     wear_safe_squared = ca.if_else(slider_pin_apart_squared > x2, slider_pin_apart_squared, k1)
     wear_length = ca.sqrt(wear_safe_squared)
     wear_radial_x = slider_pin_apart_x/wear_length
@@ -530,26 +530,26 @@ def gap_accelerations(t, q, u, a, c):
     x9 = slider_pin_apart_rate_y_times_slider_pin_apart_x + x8
     wear_bush_turning = inverse_wear_length_squared*x9
     wear_ratio = inverse_clearance_squared*slider_pin_apart_squared
-    wear_nearness = 16*wear_ratio/7 - 1/7
+    wear_nearness = 2.2857142857142856*wear_ratio - 0.14285714285714285
     wear_nearness_cubed = wear_nearness*wear_nearness*wear_nearness
     x11 = -15*wear_nearness
     wear_nearness_squared = wear_nearness*wear_nearness
     x13 = 6*wear_nearness_squared
     x14 = 10 + x11 + x13
-    wear_counted_share = ca.if_else(wear_ratio < 1/16, 0, ca.if_else(wear_ratio < 1/2, wear_nearness_cubed*x14, 1))
+    wear_counted_share = ca.if_else(wear_ratio < 0.0625, 0, ca.if_else(wear_ratio < 0.5, wear_nearness_cubed*x14, 1))
     wear_depth = wear_bush_depth + wear_pin_depth
     wear_counted = wear_counted_share*wear_depth
     slider_pin_reach = wear_counted + clearance
     slider_pin_apart_squared_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_x + 2*slider_pin_apart_rate_y*slider_pin_apart_y
     wear_ratio_rate = inverse_clearance_squared*slider_pin_apart_squared_rate
-    wear_nearness_rate = 16*wear_ratio_rate/7
+    wear_nearness_rate = 2.2857142857142856*wear_ratio_rate
     x15 = 12*wear_nearness
     x16 = x15 - 15
     x17 = wear_nearness_cubed*x16
     x18 = 3*wear_nearness_squared*x14
     x19 = x17 + x18
-    x20 = ca.if_else(wear_ratio < 1/2, x19, 0)
-    x21 = ca.if_else(wear_ratio < 1/16, 0, x20)
+    x20 = ca.if_else(wear_ratio < 0.5, x19, 0)
+    x21 = ca.if_else(wear_ratio < 0.0625, 0, x20)
     wear_counted_share_rate = wear_nearness_rate*x21
     wear_depth_rate = wear_bush_slope*wear_bush_turning + wear_pin_slope*wear_pin_turning
     wear_counted_rate = wear_counted_share*wear_depth_rate + wear_counted_share_rate*wear_depth
@@ -566,8 +566,8 @@ def gap_accelerations(t, q, u, a, c):
     wear_depth_rate_rate = wear_bush_bend*wear_bush_turning*wear_bush_turning + wear_bush_slope*wear_bush_turning_rate + wear_pin_bend*wear_pin_turning*wear_pin_turning + wear_pin_slope*wear_pin_turning_rate
     slider_pin_apart_squared_rate_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_rate_x + 2*slider_pin_apart_rate_y*slider_pin_apart_rate_y + 2*slider_pin_apart_acceleration_x*slider_pin_apart_x + 2*slider_pin_apart_acceleration_y*slider_pin_apart_y
     wear_ratio_rate_rate = inverse_clearance_squared*slider_pin_apart_squared_rate_rate
-    wear_nearness_rate_rate = 16*wear_ratio_rate_rate/7
-    wear_counted_share_rate_rate = wear_nearness_rate_rate*x21 + wear_nearness_rate*wear_nearness_rate*ca.if_else(wear_ratio < 1/16, 0, ca.if_else(wear_ratio < 1/2, 12*wear_nearness_cubed + 6*wear_nearness*x14 + 6*wear_nearness_squared*x16, 0))
+    wear_nearness_rate_rate = 2.2857142857142856*wear_ratio_rate_rate
+    wear_counted_share_rate_rate = wear_nearness_rate_rate*x21 + wear_nearness_rate*wear_nearness_rate*ca.if_else(wear_ratio < 0.0625, 0, ca.if_else(wear_ratio < 0.5, 12*wear_nearness_cubed + 6*wear_nearness*x14 + 6*wear_nearness_squared*x16, 0))
     wear_counted_rate_rate = wear_counted_share*wear_depth_rate_rate + wear_counted_share_rate_rate*wear_depth + 2*wear_counted_share_rate*wear_depth_rate
     slider_pin_reach_squared = slider_pin_reach*slider_pin_reach
     x25 = slider_pin_reach_squared - slider_pin_apart_squared
@@ -631,7 +631,7 @@ def contact_slider_pin(t, q, u, z, m, c):
     slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel
     slider_pin_apart_y = rod_arm_y + slider_pin_pin_arm_y
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
-    wear_safe_squared = ca.if_else(slider_pin_apart_squared > clearance*clearance/16, slider_pin_apart_squared, k1)
+    wear_safe_squared = ca.if_else(slider_pin_apart_squared > 0.0625*clearance*clearance, slider_pin_apart_squared, k1)
     wear_length = ca.sqrt(wear_safe_squared)
     wear_radial_x = slider_pin_apart_x/wear_length
     wear_radial_y = slider_pin_apart_y/wear_length
@@ -836,7 +836,7 @@ def energy(t, q, u, c):
     slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel
     slider_pin_apart_y = rod_arm_y + slider_pin_pin_arm_y
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
-    wear_safe_squared = ca.if_else(slider_pin_apart_squared > clearance*clearance/16, slider_pin_apart_squared, k1)
+    wear_safe_squared = ca.if_else(slider_pin_apart_squared > 0.0625*clearance*clearance, slider_pin_apart_squared, k1)
     wear_length = ca.sqrt(wear_safe_squared)
     wear_radial_x = slider_pin_apart_x/wear_length
     wear_radial_y = slider_pin_apart_y/wear_length

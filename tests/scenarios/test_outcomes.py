@@ -59,7 +59,7 @@ def test_impacts_beyond_the_materials_limit_are_counted():
     dense = replace(steel, density=Parameter("density", "kg/m^3", 7800))
     model = load(scene.replace(spheres=Contact("spheres", hertz_point(dense, dense), flores(e))))
     run = simulate(model, duration="50 ms", tolerance=1e-6)
-    (warning,) = run.warnings
-    assert "1 of 1 impacts of spheres" in warning
+    (warning,) = [text for text in run.warnings if "1 of 1 impacts of spheres" in text]
     assert "0.0515 m/s (worst 0.3 m/s)" in warning
-    assert simulate(model, duration="300 ms", parameters={"speed": "0.05 m/s"}, tolerance=1e-6).warnings == ()
+    slow = simulate(model, duration="300 ms", parameters={"speed": "0.05 m/s"}, tolerance=1e-6)
+    assert not any("impacts of spheres" in text for text in slow.warnings)

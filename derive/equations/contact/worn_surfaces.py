@@ -24,7 +24,7 @@ from hertzwerk.derive.expressions.algebra.vectors import Vector, add, cross, dot
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
 
 PURE = Dimension.from_unit("1")
-INNER, OUTER = sp.Rational(1, 16), sp.Rational(1, 2)
+INNER, OUTER = sp.Float("0.0625"), sp.Float("0.5")  # exact in binary, and printed as one number
 """Squares of eccentricity over clearance between which a direction begins to count: the centre has none."""
 
 

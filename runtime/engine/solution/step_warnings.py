@@ -93,7 +93,8 @@ def validity(model: EngineModel, p: np.ndarray | None, impacts: Callable[[], Seq
         pair: text.split(" x ")[0].partition(",")[0] for pair, kind, text in model.module.EFFECTS if kind == "contact"
     }
     kinds = dict(model.module.PAIRS)
-    hertzian = [pair for pair in model.pairs if names[pair] in POINT + LINE and kinds[pair] in OUTSIDE + INSIDE]
+    known_laws = (*POINT, *LINE)
+    hertzian = [pair for pair in model.pairs if names.get(pair) in known_laws and kinds[pair] in OUTSIDE + INSIDE]
     if not hertzian or p is None:
         return ()
     compared = [impact for impact in impacts() if impact.contact in hertzian]

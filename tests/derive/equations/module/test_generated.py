@@ -16,8 +16,9 @@ import pytest
 from derived import Derived
 
 from hertzwerk.derive import Friction, generate
-from hertzwerk.derive.program.emit.cost import OF_CURVES
+from hertzwerk.derive.program.emit.cost import OF_CURVES, operations
 from hertzwerk.derive.program.emit.helpers import HELPERS
+from hertzwerk.derive.program.emit.sector_helpers import SECTOR_HELPERS
 from hertzwerk.derive.scenes import NAMES
 from hertzwerk.runtime.engine.model.build import scene_from
 
@@ -149,13 +150,19 @@ def search(*_):
     return [Counted()] * 10
 
 
+def shares(n, *_):
+    """Shares of a direction among sectors: the operations of its text."""
+    Counted.count += operations(SECTOR_HELPERS["_shares"])
+    return Column([Counted()] * n)
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_the_operations_of_every_mode_are_those_that_its_functions_do(name):
     """Counted as they are done: those of a flight together, and what each pair adds while it touches."""
     names = {}
     exec(compile(committed(name).replace("import casadi as ca\n", ""), name, "exec"), names)
     names["ca"], done = Counting(), {}
-    names |= dict.fromkeys(OF_CURVES, search)
+    names |= dict.fromkeys(OF_CURVES, search) | {"_shares": shares}
     names["sum"] = lambda energies: energies[0]  # adding up those of the bodies is not counted
     families = {f"contact_of_{family}": len(members) for family, members in names.get("FAMILIES", ())}
     for function, _ in names["OPERATIONS"]:
@@ -183,7 +190,7 @@ def test_functions_return_what_the_tables_say(name):
     )
     nb, ny = len(derived.BODIES), len(derived.OUTPUTS)
     nr = sum(kind == "drive" for _, kind, _ in derived.EFFECTS) if nz else 0
-    nf = nu + nr
+    nf = nu + nr + len(getattr(derived, "WORN", ()))
     sizes = {
         "constants": [len(derived.CONSTANTS)], "start": [nq, nu], "scales": [nq, nu, nz, 4], "coordinate_rates": [nq], "gaps": [k, k],
         "gap_accelerations": [k], "applied": [nf], "accelerations": [nu, nr], "ledger": [nz], "energy": [1, 1, k], "poses": [3 * nb, 9 * nb],

@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 from derived import Derived
 from each import each
-from hypothesis import Phase, given, settings
+from hypothesis import Phase, assume, given, settings
 from hypothesis import strategies as st
 
 import hertzwerk.derive as hd
@@ -81,6 +81,9 @@ def compound(parts):
 @settings(max_examples=150, phases=[Phase.explicit, Phase.generate])
 @given(st.recursive(LEAVES, compound, max_leaves=8))
 def test_text_means_what_the_expression_means(expression):
+    assume(
+        not expression.has(sp.re, sp.im)
+    )  # SymPy's own Abs(exp(x**n)) of a base without a sign: no rule, which raises
     nodes = [node for node in sp.preorder_traversal(expression) if not node.is_Relational and not node.is_Boolean]
     size = max(abs(exact(node)) for node in nodes)  # what rounding errors are measured by
     assert abs(run(expression_text(expression)) - exact(expression)) <= 1e-12 * max(1, size) * len(nodes)

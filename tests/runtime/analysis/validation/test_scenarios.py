@@ -93,6 +93,7 @@ FAULTS = {
     "ball_between_walls": ("restitution = 0.909", "impacts.1.speed", "0.2 s"),
     "ball_in_socket": ("mass = 0.505 kg", "final.float.x", ""),
     "bicycle": ("trail = 0.0808 m", "final.steer.angle", ""),
+    "flexible_slider_crank": ("youngs_modulus = 202 GPa", "max.coupler.sag_50", ""),
     "bouncing_ball": ("drop_height = 1.01 m", "impacts.0.t", "0.5 s"),
     "cam_follower": ("lift = 10.1 mm", "max.guide.travel", ""),
     "bricard": ("gravity = 9.9081 m/s^2", "final.hinge_a.angle", ""),
@@ -113,6 +114,11 @@ FAULTS = {
     "spatial_slider_crank": ("rod_inertia_x = 4.04e-4 kg m^2", "impacts.0.t", "2 ms"),
     "tippe_top": ("start_spin = 156.55 rad/s", "final.flight.angular_speed_y", ""),
     "translational_clearance": ("slider_mass = 0.07676 kg", "impacts.0.t", "3 ms"),
+    "chain_on_table": ("link_mass = 5.05 g", "final.ball_0.normal_force", ""),
+    "slider_crank_line": ("rod_length = 0.1212 m", "impacts.0.speed", "1 ms"),
+    "spheres_in_box": ("density = 1111 kg/m^3", "final.floor_1.normal_force", ""),
+    "worn_slider_crank": ("rod_length = 0.1212 m", "impacts.0.t", "1 ms"),
+    "yielding_ball": ("yield_strength = 1010 MPa", "impacts.1.speed", ""),
     "two_spheres": ("mass = 0.09292 kg", "impacts.0.peak_penetration", ""),
 }
 
