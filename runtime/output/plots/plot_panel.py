@@ -33,7 +33,7 @@ CONSTANT = 1e-12  # relative: less change than this is rounding, and not drawn
 
 
 def caption(figure: Figure, run: EngineSolution, subtitle: str, notes: Sequence[str] = ()) -> None:
-    """Write title and differences from the scene; below the panels outcome, findings of the warnings, and notes."""
+    """Write title and differences from the scene; below the panels outcome, findings and notes."""
     width, height = figure.get_size_inches()
     used = write_title(figure, title_of(run.engine.model, subtitle), differences(run))
     remarks = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
