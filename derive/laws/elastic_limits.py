@@ -12,9 +12,8 @@ from hertzwerk.derive.laws.formulas.stiffness import EFFECTIVE_MODULUS, MATERIAL
 from hertzwerk.derive.laws.formulas.yield_onset import YIELD_PRESSURE, yield_force
 from hertzwerk.derive.laws.law import BoundLaw
 
-LINE_YIELD = sp.Rational(
-    167, 100
-)  # of the largest pressure over Y, by Tresca: Johnson (1985), section 6.1; 1.79 by von Mises
+LINE_YIELD = sp.Rational(167, 100)
+"""Largest pressure over yield strength at first yield, by Tresca: Johnson (1985), section 6.1; 1.79 by von Mises."""
 
 
 def speed_limit(bounds: Iterable[BoundLaw]) -> sp.Expr | None:

@@ -70,9 +70,9 @@ class Start:
                 for port in ports:
                     value = _value_of(values, port.name, freedom)
                     if value is not None:
-                        named = port.name if freedom.kind in ("ball", "bend") else freedom.key
+                        named = freedom.key if freedom.known_by_key else port.name
                         yield Slot(f"start, {quantity} of {named}", value, port.unit)
 
 
 def _value_of(values: Mapping[str, Scalar], name: str, freedom: Freedom) -> Any:
-    return values.get(name, None if freedom.kind in ("ball", "bend") else values.get(freedom.key))
+    return values.get(name, values.get(freedom.key) if freedom.known_by_key else None)

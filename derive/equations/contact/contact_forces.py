@@ -136,16 +136,16 @@ class PairKinematics:
         """The expression where the surfaces press on each other, in a dent too, else 0."""
         return Where(self.touch.penetration > dent, expression, 0)
 
-    def elastic(self, contact: Contact) -> tuple[Any, Any]:
-        """Elastic force [N] and stored energy [J], zero while open."""
+    def elastic(self, contact: Contact) -> tuple[Any, Any, Any]:
+        """Elastic force [N], stored energy [J], and the force that a dent takes [N], zero while open."""
         law = contact.stiffness.law
         if contact.plastic is not None:
-            return self.plastic(contact, contact.plastic)[:2]
+            return self.plastic(contact, contact.plastic)
         values = self._law(contact.stiffness, {d: self._depth(contact)}, contact.unchecked)
         stated = (NEWTON, JOULE) if contact.unchecked else (None, None)
         force = self.let(self._closed(law.force.xreplace(values)), "elastic_force", stated[0])
         stored = law.work.xreplace(values) if contact.length is None else self._smooth_work(contact, values)
-        return force, self.let(self._closed(stored), "stored_energy", stated[1])
+        return force, self.let(self._closed(stored), "stored_energy", stated[1]), sp.S.Zero
 
     def _depth(self, contact: Contact) -> Any:
         """Penetration of the laws [m]: that of the surfaces, or the smoothed one."""
@@ -190,11 +190,10 @@ class PairKinematics:
         self, contact: Contact, friction: Friction | None, approach_speed: Any, bristle: Sequence[Any] = ()
     ) -> Forces:
         """Forces of the pair, from latched approach speed [m/s] and bristle deflections [m] where it has them."""
-        elastic, _ = self.elastic(contact)
+        elastic, _, taken = self.elastic(contact)
         worn, stretch = self.touch.worn, self.touch.stretch
         normal_force, normal_power = elastic, sp.S.Zero
         if contact.plastic is not None:
-            taken = self.plastic(contact, contact.plastic)[2]
             normal_power = self.let(-taken * self.gap(contact)[1], "plastic_power")
         if contact.damping is not None:
             resistance = self._resistance(contact, contact.damping, elastic, approach_speed)

@@ -16,6 +16,7 @@ import sympy as sp
 
 from hertzwerk.derive.common.faults import Fault
 from hertzwerk.derive.declare.mechanism.pair import Pair
+from hertzwerk.derive.equations.contact.worn_surfaces import worn_at
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.equations.motion.probe import Probe
 from hertzwerk.derive.expressions.algebra.functions import Where
@@ -38,8 +39,6 @@ class Touch:
     """Whether gap and normal are known to be consistent; else they are tested at random states."""
     limit: Any = None
     """Penetration up to which the geometry holds [m]; None without a limit."""
-    worn: Any = None
-    """Worn surfaces, a `Worn`; None without wear."""
     stretch: Any = None
     """Length of the gradient of the penetration [1] where it is not 1: the normal force over that by the penetration."""
 
@@ -65,6 +64,11 @@ class Touch:
     def named(self, vector: Vector, label: str) -> Vector:
         """Name a vector of this pair on the tape."""
         return self.tape.vector(vector, f"{self.pair.name}_{label}")
+
+    @cached_property
+    def worn(self) -> Any:
+        """Worn surfaces, a `Worn`; None without wear."""
+        return worn_at(self)
 
     @property
     def gap(self) -> Any:

@@ -16,7 +16,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.common.faults import Fault
-from hertzwerk.derive.declare.effects.tribology.wear import DEPTH, LOAD_PATH, Wear
+from hertzwerk.derive.declare.effects.tribology.wear import CONTOUR, DEPTH, LOAD_PATH, Wear
 from hertzwerk.derive.declare.mechanism.bodies import Point
 from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.expressions.algebra.sectors import Mean, Share, Shares
@@ -26,11 +26,6 @@ from hertzwerk.derive.expressions.dimension.dimension import Dimension
 PURE = Dimension.from_unit("1")
 INNER, OUTER = sp.Float("0.0625"), sp.Float("0.5")  # exact in binary, and printed as one number
 """Squares of eccentricity over clearance between which a direction begins to count: the centre has none."""
-
-
-def wear_at(touch: Any) -> Wear | None:
-    """The wear of a contact geometry's pair, if the scene has one."""
-    return next((effect for effect in touch.kin.scene.all(Wear) if effect.pair == touch.pair.name), None)
 
 
 @dataclass(frozen=True)
@@ -236,3 +231,9 @@ class WornContour(Worn):
         pace = self.let(rate / self._area(label), f"{label}_pace")
         rates = [pace * Share(shares, sp.Integer(k)) for k in range(self.wear.sectors)]
         return rates, pace * self.let(Mean(shares, shares), f"{label}_concentration")
+
+
+def worn_at(touch: Any) -> Any:
+    """The worn surfaces of a contact geometry's pair, by how it wears; None without wear."""
+    wear = next((effect for effect in touch.kin.scene.all(Wear) if effect.pair == touch.pair.name), None)
+    return None if wear is None else (WornContour if touch.pair.wears == CONTOUR else WornSpot)(touch, wear)

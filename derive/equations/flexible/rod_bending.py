@@ -63,18 +63,11 @@ class RodBending:
 
     def _times(self, rows: Sequence[Sequence[Any]], of: _Table, label: str) -> _Table:
         """Products of a symmetric matrix of the shapes and vectors."""
-        return [
-            [
-                self.tape.let(total(*(product(m, x) for m, x in zip(row, part, strict=True))), f"{self.name}_{label}")
-                for row in rows
-            ]
-            for part in of
-        ]
+        return [[self.tape.let(self._dot(row, part), f"{self.name}_{label}") for row in rows] for part in of]
 
     def _sum(self, numbers: Sequence[Any], of: _Table, label: str) -> list[Any]:
         """Sum over the shapes, by direction."""
-        sums = (total(*(product(n, x) for n, x in zip(numbers, part, strict=True))) for part in of)
-        return [self.tape.let(value, f"{self.name}_{label}") for value in sums]
+        return [self.tape.let(self._dot(numbers, part), f"{self.name}_{label}") for part in of]
 
     def _both(self, one: _Table, other: _Table) -> Any:
         """Sum of the products over shapes and directions."""
@@ -114,16 +107,22 @@ class RodBending:
     @cached_property
     def angles(self) -> list[tuple[Vector, Any]]:
         """Turns of the end, one after the other: axis and angle [rad]."""
-        slopes = self._sum(self._slope, self.q, "slope")
+        return self._turned(self._sum(self._slope, self.q, "slope"))
+
+    @staticmethod
+    def _turned(slopes: Sequence[Any]) -> list[tuple[Vector, Any]]:
+        """Turns of a section by its slopes in the directions: axis and angle [rad]."""
         return [(_Z, slopes[0]), *((_Y, -slope) for slope in slopes[1:])]
+
+    def _cosine_and_sine(self, angle: Any) -> list[Any]:
+        return [self.tape.let(f(angle), f"{f.__name__}_{self.name}_slope") for f in (sp.cos, sp.sin)]
 
     @cached_property
     def rotation(self) -> Matrix:
         """Rotation from the axes of the end to those of the start, of a rod that bends in both directions."""
         matrix = IDENTITY
         for axis, angle in self.angles:
-            cosine, sine = (self.tape.let(f(angle), f"{f.__name__}_{self.name}_slope") for f in (sp.cos, sp.sin))
-            matrix = multiply(matrix, about(axis, cosine, sine))
+            matrix = multiply(matrix, about(axis, *self._cosine_and_sine(angle)))
         return self.tape.matrix(matrix, f"{self.name}_bent")
 
     def section(self, percent: int) -> tuple[Vector, Matrix]:
@@ -131,7 +130,7 @@ class RodBending:
         at, matrix = sp.Rational(percent, 100), IDENTITY
         aside = self._sum(self.rod.shapes.at(at), self.q, f"deflection_{percent}")
         slopes = self._sum([number / self.length for number in self.rod.shapes.at(at, 1)], self.q, f"slope_{percent}")
-        for axis, angle in zip((_Z, _Y), (slopes[0], *(-slope for slope in slopes[1:])), strict=False):
+        for axis, angle in self._turned(slopes):
             matrix = multiply(matrix, about(axis, sp.cos(angle), sp.sin(angle)))
         return self._in_axes(at * self.tip[0], aside), matrix
 
@@ -140,9 +139,7 @@ class RodBending:
         """Axes of the turns of the end, along the start's axes: of Y's slope, then of Z's."""
         if len(self.directions) == 1:
             return [_Z]
-        cosine, sine = (
-            self.tape.let(f(self.angles[0][1]), f"{f.__name__}_{self.name}_slope") for f in (sp.cos, sp.sin)
-        )
+        cosine, sine = self._cosine_and_sine(self.angles[0][1])
         return [_Z, (sine, -cosine, NONE)]
 
     @cached_property

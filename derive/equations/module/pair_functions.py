@@ -15,12 +15,13 @@ from hertzwerk.derive.program.program import Function, Result
 
 def gaps(system: System) -> Function:
     """Gaps, the event functions of contact, and their rates."""
+    gaps = [pair.gap(contact) for pair, contact, _ in system.contacts]
     return system.function(
         "gaps",
         "Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.",
         "t q u c",
-        system.of_pairs("G", "m", [pair.gap(contact)[0] for pair, contact, _ in system.contacts]),
-        system.of_pairs("dG", "m/s", [pair.gap(contact)[1] for pair, contact, _ in system.contacts]),
+        system.of_pairs("G", "m", [gap for gap, _, _ in gaps]),
+        system.of_pairs("dG", "m/s", [rate for _, rate, _ in gaps]),
     )
 
 

@@ -306,7 +306,7 @@ class Equations:
         fallen += [
             dot(pull, self.kin.of_rod(link, link.rod.moment, "bent_moment"))
             for link in self.links
-            if link.joint is not None and link.joint.bends and any(body == link.joint.parent.body for body in bodies)
+            if link.joint is not None and link.joint.bends and link.joint.parent.body in bodies
         ]
         return self.tape.let(sp.Add(*(-energy for energy in fallen)), "potential")
 

@@ -378,8 +378,8 @@ class Recursion:
 
 def _shift(arm: Vector, moment: Vector) -> Matrix:
     """As `_shifted`, a matrix."""
-    x, y, z = (_shifted(arm, moment).row(i) for i in range(3))
-    return (x, y, z)
+    shifted = _shifted(arm, moment)
+    return shifted.row(0), shifted.row(1), shifted.row(2)
 
 
 def _shifted(arm: Vector, moment: Vector) -> Symmetric:

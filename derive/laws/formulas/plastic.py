@@ -35,11 +35,6 @@ _HERTZ = K_hertz * d ** sp.Rational(3, 2)
 _x = d / d_y
 
 
-def _decimal(text: str) -> sp.Rational:
-    """Read a published constant, exactly."""
-    return sp.Rational(text)
-
-
 def _plastic(*stages: sp.Expr, **fields: Any) -> PlasticLaw:
     """Make a law that is Hertz's up to `d_y`, and then by its stages."""
     return PlasticLaw(elastic=_HERTZ, onset=d_y, stages=stages, forms=("point",), **fields)
@@ -70,20 +65,20 @@ thornton = _plastic(
 
 kogut_etsion = _plastic(
     _HERTZ,
-    _decimal("1.03") * F_y * _x ** _decimal("1.425"),
-    _decimal("1.40") * F_y * _x ** _decimal("1.263"),
+    sp.Rational("1.03") * F_y * _x ** sp.Rational("1.425"),
+    sp.Rational("1.40") * F_y * _x ** sp.Rational("1.263"),
     name="kogut_etsion",
     title="Kogut and Etsion, elastic-plastic sphere against a rigid flat, with the unloading of Etsion, Kligerman and Kadin",
     parameters=(*MATERIALS, sigma_y),
     definitions=(
         EFFECTIVE_MODULUS,
         HERTZ_STIFFNESS,
-        (C_nu, _decimal("2.8") * (_decimal("0.454") + _decimal("0.41") * nu_1)),
+        (C_nu, sp.Rational("2.8") * (sp.Rational("0.454") + sp.Rational("0.41") * nu_1)),
         (d_y, yield_depth(E_eff, R_eff, C_nu * sigma_y)),
         (F_y, yield_force(E_eff, R_eff, C_nu * sigma_y)),
     ),
-    dent=d * (1 - _x ** _decimal("-0.28")) * (1 - _x ** _decimal("-0.69")),
-    steepness=sp.Rational(3, 2) * _x ** _decimal("-0.0331"),
+    dent=d * (1 - _x ** sp.Rational("-0.28")) * (1 - _x ** sp.Rational("-0.69")),
+    steepness=sp.Rational(3, 2) * _x ** sp.Rational("-0.0331"),
     reach=110 * d_y,
     source="Kogut, Etsion, J. Appl. Mech. 69 (2002) 657; unloading: Etsion, Kligerman, Kadin, Int. J. Solids Struct. 42 (2005) 3716",
     grade="C",
@@ -91,8 +86,12 @@ kogut_etsion = _plastic(
     "return up to 0.05 % more energy than was spent.",
 )
 
-_RADIUS = sp.pi * C_nu * e_y / 2 * sp.sqrt(_x * (_x / _decimal("1.9")) ** B_y)  # of the contact over that of the sphere
-_HARDNESS = _decimal("2.84") * (1 - sp.exp(-_decimal("0.82") * _RADIUS ** _decimal("-0.7")))  # over the yield strength
+_RADIUS = (
+    sp.pi * C_nu * e_y / 2 * sp.sqrt(_x * (_x / sp.Rational("1.9")) ** B_y)
+)  # of the contact over that of the sphere
+_HARDNESS = sp.Rational("2.84") * (
+    1 - sp.exp(-sp.Rational("0.82") * _RADIUS ** sp.Rational("-0.7"))
+)  # over the yield strength
 
 jackson_green = _plastic(
     _HERTZ,
@@ -107,14 +106,14 @@ jackson_green = _plastic(
     definitions=(
         EFFECTIVE_MODULUS,
         HERTZ_STIFFNESS,
-        (C_nu, _decimal("1.295") * sp.exp(_decimal("0.736") * nu_1)),
+        (C_nu, sp.Rational("1.295") * sp.exp(sp.Rational("0.736") * nu_1)),
         (e_y, sigma_y / E_eff),
-        (B_y, _decimal("0.14") * sp.exp(23 * e_y)),
+        (B_y, sp.Rational("0.14") * sp.exp(23 * e_y)),
         (d_y, yield_depth(E_eff, R_eff, C_nu * sigma_y)),
         (F_y, yield_force(E_eff, R_eff, C_nu * sigma_y)),
     ),
-    dent=d * _decimal("1.02") * (1 - ((_x + _decimal("5.9")) / _decimal("6.9")) ** _decimal("-0.54")),
-    reach=d_y * ((2 * _decimal("0.41") / (sp.pi * C_nu * e_y)) ** 2 * _decimal("1.9") ** B_y) ** (1 / (1 + B_y)),
+    dent=d * sp.Rational("1.02") * (1 - ((_x + sp.Rational("5.9")) / sp.Rational("6.9")) ** sp.Rational("-0.54")),
+    reach=d_y * ((2 * sp.Rational("0.41") / (sp.pi * C_nu * e_y)) ** 2 * sp.Rational("1.9") ** B_y) ** (1 / (1 + B_y)),
     source="Jackson, Green, J. Tribol. 127 (2005) 343; unloading: Jackson, Chusoipin, Green, J. Tribol. 127 (2005) 484, and "
     "Jackson, Green, Marghitu, Nonlinear Dyn. 60 (2010) 217",
     grade="C",

@@ -83,6 +83,11 @@ class Freedom:
         return self.kind in ("turn", "slide")
 
     @property
+    def known_by_key(self) -> bool:
+        """Whether its key stands for its coordinate in a start; else each coordinate is named."""
+        return self.kind not in ("ball", "bend")
+
+    @property
     def label(self) -> str:
         """Name of its first coordinate within the joint."""
         return self.coordinates[0].name.rsplit(".", 1)[1]

@@ -48,9 +48,7 @@ def _state_faults(scene: Scene, effect: Effect) -> Iterator[Fault]:
 def start_faults(scene: Scene) -> Iterator[Fault]:
     """Yield faults of positions and speeds given to coordinates not free, and of a missing arm."""
     for quantity, ports in (("position", "coordinates"), ("near", "coordinates"), ("speed", "speeds")):
-        of_joints = [
-            freedom.key for freedom in scene.free if freedom.kind not in ("ball", "bend") and getattr(freedom, ports)
-        ]
+        of_joints = [freedom.key for freedom in scene.free if freedom.known_by_key and getattr(freedom, ports)]
         full = [port.name for freedom in scene.free for port in getattr(freedom, ports)]
         short = [name for name in full if name.rsplit(".", 1)[0] not in of_joints]
         if quantity == "near":  # whole turns are counted from there

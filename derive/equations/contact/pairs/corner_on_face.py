@@ -13,7 +13,6 @@ from hertzwerk.derive.common.faults import Fault
 from hertzwerk.derive.declare.mechanism.bodies import Direction, Point
 from hertzwerk.derive.declare.mechanism.pair import LENGTH, Pair, in_body
 from hertzwerk.derive.equations.contact.touch import Touch
-from hertzwerk.derive.equations.contact.worn_surfaces import WornSpot, wear_at
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.expressions.algebra.vectors import Vector, dot
@@ -84,12 +83,6 @@ class BoundedFace(Touch):
             self.named(self.kin.direction(self.second, self.pair.normal), "direction"),
             None if along is None else self.named(self.kin.direction(self.second, along), "line"),
         )
-
-    @cached_property
-    def worn(self) -> WornSpot | None:
-        """Worn corner; None without wear."""
-        wear = wear_at(self)
-        return None if wear is None else WornSpot(self, wear)
 
     @cached_property
     def _height(self) -> Any:

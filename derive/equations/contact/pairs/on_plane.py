@@ -13,7 +13,6 @@ from hertzwerk.derive.common.faults import Fault
 from hertzwerk.derive.declare.mechanism.bodies import Direction, Point
 from hertzwerk.derive.declare.mechanism.pair import LENGTH, Pair, in_body
 from hertzwerk.derive.equations.contact.touch import Touch
-from hertzwerk.derive.equations.contact.worn_surfaces import WornSpot, wear_at
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.expressions.algebra.vectors import Vector, add, dot, scale, sub
 from hertzwerk.derive.expressions.parameter import Scalar, Slot
@@ -127,12 +126,6 @@ class Face(Touch):
     def normal(self) -> Vector:
         """Normal of the plane."""
         return self.named(self.kin.direction(self.second, self.pair.normal), "direction")
-
-    @cached_property
-    def worn(self) -> WornSpot | None:
-        """Flat of a sphere; None without wear."""
-        wear = wear_at(self)
-        return None if wear is None else WornSpot(self, wear)
 
     @cached_property
     def gap(self) -> Any:

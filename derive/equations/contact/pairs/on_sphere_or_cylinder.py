@@ -13,7 +13,6 @@ from hertzwerk.derive.common.faults import Fault
 from hertzwerk.derive.declare.mechanism.bodies import Direction, Point
 from hertzwerk.derive.declare.mechanism.pair import LENGTH, Pair, in_body
 from hertzwerk.derive.equations.contact.touch import Touch
-from hertzwerk.derive.equations.contact.worn_surfaces import WornContour, wear_at
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.expressions.algebra.vectors import Vector, along, apply, dot, scale, sub, transpose
 from hertzwerk.derive.expressions.parameter import POSITIVE, Scalar, Slot
@@ -209,12 +208,6 @@ class RoundTouch(Touch):
         axis = self.named(self.kin.direction(self.second, self.pair.line), "direction")
         along = self.let(dot(self.apart, axis), "along")
         return self.named(sub(self.apart, scale(along, axis)), "e")
-
-    @cached_property
-    def worn(self) -> WornContour | None:
-        """Worn contours of a pin and its bush; None without wear."""
-        wear = wear_at(self)
-        return None if wear is None else WornContour(self, wear)
 
     @property
     def stretch(self) -> Any:
