@@ -52,10 +52,9 @@ class BoundImpact:
 
 
 def read_impacts(
-    model: EngineModel, law: object, bound: BoundParameters | None, faults: list[Fault]
+    model: EngineModel, laws: Mapping[str, object], bound: BoundParameters | None, faults: list[Fault]
 ) -> list[BoundImpact]:
     """Return the impact law of each pair; bad input is appended to `faults`."""
-    laws: Mapping[str, object] = law if isinstance(law, Mapping) else dict.fromkeys(model.pairs, law)
     faults += [unknown("contact pair", name, model.pairs) for name in laws if name not in model.pairs]
     missing = [pair for pair in model.pairs if pair not in laws]
     if missing:

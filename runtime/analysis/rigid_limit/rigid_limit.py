@@ -252,7 +252,8 @@ def rigid_limit(
         faults.append(Fault("factors", shown(factors), "numbers above zero that grow, such as (1, 10, 100)"))
     settings = Settings(duration, accuracy, None)
     faults += settings.faults()
-    laws = read_impacts(model, law, model.check(values)[0], faults)
+    of_pairs = law if isinstance(law, Mapping) else dict.fromkeys(model.pairs, law)
+    laws = read_impacts(model, of_pairs, model.check(values)[0], faults)
     faults += tangent_faults(model, laws)
     request, _ = read(model, Settings(duration, None, tolerance), values, wanted, faults)
     report = progress or (lambda _: None)
@@ -276,7 +277,6 @@ def rigid_limit(
         outcome = Outcome(
             first.name, f"the run with {stiffness} times {early[0].factor:g}: {first.message}", first.remedy
         )
-    of_pairs = law if isinstance(law, Mapping) else dict.fromkeys(model.pairs, law)
     return RigidLimit(model, request.bound.c, outcome, motion, of_pairs, stiffness, tuple(stiffer))
 
 

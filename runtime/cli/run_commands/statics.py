@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 import cmath
-import io
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from hertzwerk.derive.common.faults import InputError, refuse
+from hertzwerk.runtime.cli.picture_file import draw_into
 from hertzwerk.runtime.cli.target_options import JSON, VARIATION, Variation, assignments, together
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
 from hertzwerk.runtime.system.digests import json_text
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
     from hertzwerk.runtime.analysis.statics.equilibrium import Equilibrium
     from hertzwerk.runtime.analysis.statics.vibrations import Modes
 
@@ -70,7 +68,7 @@ def statics(out: Path | None, as_json: bool, **options: Any) -> int:
         for note in rest.notes:
             line("note", note)
     if rest.converged:
-        _draw(out, rest.plot, announced=not as_json)
+        draw_into(out, rest.plot, announced=not as_json)
     return GOOD if rest.converged else OTHER_OUTCOME
 
 
@@ -117,7 +115,7 @@ def modes(out: Path | None, as_json: bool, **options: Any) -> int:
     if vibrations is None:
         return OTHER_OUTCOME
     if any(mode.eigenvalue for mode in vibrations):
-        _draw(out, vibrations.plot, announced=not as_json)
+        draw_into(out, vibrations.plot, announced=not as_json)
     return GOOD
 
 
@@ -158,16 +156,3 @@ def _read(
             raise InputError(error.subject, [*faults, *error.faults]) from error
     refuse(model.name, faults)
     return rest
-
-
-def _draw(out: Path | None, picture: Callable[[], Figure], *, announced: bool) -> None:
-    """Write a picture as PNG, if a file is given."""
-    if out is None:
-        return
-    from hertzwerk.runtime.engine.solution.solution import write
-
-    content = io.BytesIO()
-    picture().savefig(content, format="png", dpi="figure")
-    path = write(out, content.getvalue(), overwrite=False)
-    if announced:
-        line("written", str(path))

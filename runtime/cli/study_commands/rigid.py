@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -10,8 +9,9 @@ from typing import Any
 import click
 
 from hertzwerk.derive.common.faults import Fault, refuse
+from hertzwerk.runtime.cli.picture_file import draw_into
 from hertzwerk.runtime.cli.target_options import DURATION, JSON, VARIATION, Variation, number, run_settings
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, reports_bad_input, table
 from hertzwerk.runtime.system.digests import json_text
 
 PAIR = "for all contact pairs, or PAIR=VALUE for one"
@@ -76,20 +76,13 @@ def rigid(target: str, out: Path | None, as_json: bool, **options: Any) -> int:
             factors=[number(text.strip()) for text in options["factors"].split(",")],
             progress=progress,
         )
-    if out is not None:
-        from hertzwerk.runtime.engine.solution.solution import write
-
-        content = io.BytesIO()
-        limit.plot().savefig(content, format="png", dpi="figure")
-        write(out, content.getvalue(), overwrite=False)
     if as_json:
         click.echo(json_text(limit.record()))
     else:
         for text in limit.lines:
             click.echo(text)
         table(*limit.rows)
-        if out is not None:
-            line("written", str(out))
+    draw_into(out, limit.plot, announced=not as_json)
     return GOOD if limit.outcome.finished else OTHER_OUTCOME
 
 

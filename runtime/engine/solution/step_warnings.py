@@ -51,37 +51,36 @@ class Validity(NamedTuple):
     limit: float
 
     def __str__(self) -> str:
-        why = [f"{', '.join(self.unchecked)} not checked: {MISSING[self.check]}"] if self.unchecked else []
+        words = WORDS[self.check]
+        why = [f"{', '.join(self.unchecked)} not checked: {words.missing}"] if self.unchecked else []
         if not self.contacts:
             return f"{self.check} of {why[0]}"
-        limited, unit, remedy = TEXTS[self.check]
         count = f"{self.exceeded} of {self.of} contacts of {', '.join(self.contacts)}"
-        text = f"{count} {limited}, {self.limit:.3g} {unit} (worst {self.worst:.3g} times)"
-        return "; ".join([f"{text}: {remedy}" if self.exceeded else text, *why])
+        text = f"{count} {words.limited}, {self.limit:.3g} {words.unit} (worst {self.worst:.3g} times)"
+        return "; ".join([f"{text}: {words.remedy}" if self.exceeded else text, *why])
 
 
-TEXTS = {
-    "yield": ("exceed the force at the onset of yield", "N", "surfaces dent; take an elastic-plastic law (`hertzwerk laws`)"),
-    "width": (
-        f"exceed the depth at which they are {WIDE} of the radius wide", "m",
-        "fit the law `power` to finite elements or measured impacts",
-    ),
-    "conformity": (
-        f"exceed the depth at which they enclose {WIDE} rad to each side", "m",
-        "surfaces conform; take `persson`, or `power` fitted to finite elements",
-    ),
-    "waves": (
-        f"end before a wave has crossed the body {CROSSINGS} times", "s",
-        "waves keep energy; fit the restitution to measured impacts",
-    ),
+class Words(NamedTuple):
+    """Text of a check that contacts exceed, unit of its limit, way out; both in a word; what it may lack."""
+
+    limited: str
+    unit: str
+    remedy: str
+    brief: str
+    advice: str
+    missing: str = ""
+
+
+WORDS = {
+    "yield": Words("exceed the force at the onset of yield", "N", "surfaces dent; take an elastic-plastic law (`hertzwerk laws`)",
+                   "yield", "take an elastic-plastic law", "no yield strength"),
+    "width": Words(f"exceed the depth at which they are {WIDE} of the radius wide", "m", "fit the law `power` to finite elements or measured impacts",
+                   "are wide", "fit `power` to measured impacts"),
+    "conformity": Words(f"exceed the depth at which they enclose {WIDE} rad to each side", "m",
+                        "surfaces conform; take `persson`, or `power` fitted to finite elements", "conform", "take `persson`"),
+    "waves": Words(f"end before a wave has crossed the body {CROSSINGS} times", "s", "waves keep energy; fit the restitution to measured impacts",
+                   "are short for waves", "fit the restitution to measured impacts", "no density"),
 }  # fmt: skip
-BEYOND = {  # the same in a word
-    "yield": ("yield", "take an elastic-plastic law"),
-    "width": ("are wide", "fit `power` to measured impacts"),
-    "conformity": ("conform", "take `persson`"),
-    "waves": ("are short for waves", "fit the restitution to measured impacts"),
-}
-MISSING = {"yield": "no yield strength", "waves": "no density"}
 
 
 def validity(model: EngineModel, p: np.ndarray | None, impacts: Callable[[], Sequence[Impact]]) -> tuple[Validity, ...]:
@@ -105,7 +104,7 @@ def validity(model: EngineModel, p: np.ndarray | None, impacts: Callable[[], Seq
             for impact in compared
             if impact.contact in known
         ]
-        unchecked = [pair for pair in hertzian if pair not in known] if check in MISSING else []
+        unchecked = [pair for pair in hertzian if pair not in known] if WORDS[check].missing else []
         if of or unchecked:
             exceeded, (worst, limit) = sum([ratio > 1 for ratio, _ in of]), max(of, default=(math.nan, math.nan))
             checks.append(
@@ -128,7 +127,7 @@ def _limits(model: EngineModel, p: np.ndarray, lines: Mapping[str, bool]) -> dic
     radii = grouped((row[0], float(at[3])) for row, at in marks if row[4][:1] == ("radius",) and row[0] in lines)
     bodies = grouped((row[0], row[3]) for row, _ in marks if row[0] in lines)
     sizes = grouped((row[3], _longest(row[4], at)) for row, at in marks if row[1].startswith("solid_"))
-    limits: dict[str, dict[str, float]] = {check: {} for check in TEXTS}
+    limits: dict[str, dict[str, float]] = {check: {} for check in WORDS}
     for pair, line in lines.items():
         first, *second = radii[pair]
         if kinds[pair] in INSIDE:
@@ -166,10 +165,10 @@ def beyond_theory(checks: Sequence[Validity]) -> Iterator[str]:
     if exceeded:
         pairs = ", ".join(dict.fromkeys(pair for check in exceeded for pair in check.contacts))
         counts = ", ".join(
-            f"{check.exceeded} of {check.of} {BEYOND[check.check][0]} (worst {check.worst:.2g} times)"
+            f"{check.exceeded} of {check.of} {WORDS[check.check].brief} (worst {check.worst:.2g} times)"
             for check in exceeded
         )
-        remedies = ", ".join(dict.fromkeys(BEYOND[check.check][1] for check in exceeded))
+        remedies = ", ".join(dict.fromkeys(WORDS[check.check].advice for check in exceeded))
         yield f"contacts of {pairs} exceed limits of Hertz's theory: {counts}; {remedies}"
 
 

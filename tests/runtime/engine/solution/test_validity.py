@@ -12,7 +12,7 @@ from hertzwerk.derive.common.hertzian_laws import LINE, POINT
 from hertzwerk.derive.laws.catalogue import FILES
 from hertzwerk.derive.laws.law import StiffnessLaw
 from hertzwerk.runtime import Solution, load, simulate, sweep
-from hertzwerk.runtime.engine.solution.step_warnings import BEYOND, CROSSINGS, TEXTS, WIDE, validity
+from hertzwerk.runtime.engine.solution.step_warnings import CROSSINGS, WIDE, WORDS, validity
 
 E, NU, RHO, Y, R = 210e9, 0.3, 7850.0, 0.5e9, 0.01
 MASS = 4 / 3 * math.pi * R**3 * RHO
@@ -84,9 +84,9 @@ def test_the_speed_of_each_limit_is_that_of_the_closed_form_from_both_sides(chec
 def test_a_fast_impact_warns_once_of_all_limits_with_the_ways_out():
     run, checks = impact(60.0)
     (text,) = [text for text in run.warnings if "contacts of floor" in text]
-    assert [check for check, (short, _) in BEYOND.items() if f"1 of 1 {short}" in text] == ["yield", "waves"]
+    assert [check for check, words in WORDS.items() if f"1 of 1 {words.brief}" in text] == ["yield", "waves"]
     assert text.endswith("take an elastic-plastic law, fit the restitution to measured impacts")
-    assert all(TEXTS[check][2] in str(checks[check]) for check in ("yield", "waves"))
+    assert all(WORDS[check].remedy in str(checks[check]) for check in ("yield", "waves"))
     assert not any("1e-5*sqrt(E/rho)" in text for text in run.warnings)  # which the onset of yield replaces
 
 
