@@ -6,9 +6,7 @@ the accelerations, with loops closed. No module is derived for them.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
-from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -22,11 +20,8 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.solution.impacts import distances
 from hertzwerk.runtime.system.arrays import Array
 
-OF_CONTACTS = (
-    "rolling_resistance",
-    "drilling_resistance",
-    "lubrication",
-)  # kinds of effects that need a compliant contact
+# kinds of effects that need a compliant contact
+OF_CONTACTS = ("rolling_resistance", "drilling_resistance", "lubrication")
 
 
 @dataclass(frozen=True)
@@ -34,7 +29,7 @@ class State:
     """Motion without contact forces at an instant; m rows: of each pair its normal, then its tangents.
 
     rates (nq), free accelerations (nu), pushed (nu, m): accelerations by a unit force along each row; D (m, m) of the rows;
-    velocity (m) along the rows, bias (m): their rates by the free accelerations; gap (k) [m], energy [J].
+    velocity (m) along the rows, bias (m): their rates by the free accelerations; gap (k) [m].
     """
 
     rates: Array
@@ -44,7 +39,6 @@ class State:
     velocity: Array
     bias: Array
     gap: Array
-    energy: float
 
 
 def refused(model: EngineModel) -> list[Fault]:
@@ -106,8 +100,7 @@ def _equations(model: EngineModel) -> Callers:
     inverse = ca.substitute(ca.jacobian(model.function("accelerations")(t, q, u, f, c)[0], f), f, forces)
     pushed = ca.mtimes(inverse[:, : model.nu], R.T)
     bias = ca.mtimes(R, free) + ca.jtimes(velocity, ca.vertcat(t, q), ca.vertcat(1, rates))
-    energies = model.function("energy")(t, q, u, c)[:2] if model.has_function("energy") else [ca.SX(math.nan)]
-    results = [rates, free, pushed, ca.mtimes(R, pushed), velocity, bias, gap, ca.sum1(ca.vertcat(*energies))]
+    results = [rates, free, pushed, ca.mtimes(R, pushed), velocity, bias, gap]
     return Callers(ca.Function("rigid", symbols, [ca.densify(x) for x in ca.cse(results)]))
 
 
@@ -135,11 +128,9 @@ class Equations:
     def at(self, t: float, y: Array) -> State:
         """Return the motion at a time and state y = (q, u)."""
         model, m = self.model, self._m
-        shapes = ((model.nq,), (model.nu,), (model.nu, m), (m, m), (m,), (m,), (model.k,), (1,))
+        shapes = ((model.nq,), (model.nu,), (model.nu, m), (m, m), (m,), (m,), (model.k,))
         results = self._evaluate(t, y[: model.nq], y[model.nq :], self._c)
-        parts: list[Any] = [np.asarray(x).reshape(shape) for x, shape in zip(results, shapes, strict=True)]
-        parts[-1] = float(parts[-1][0])
-        return State(*parts)
+        return State(*(np.asarray(x).reshape(shape) for x, shape in zip(results, shapes, strict=True)))
 
     def closed(self, t: float, y: Array, normals: list[int], held: list[int], gaps: list[int]) -> Array:
         """Return a state on its constraints: of loops, gaps of pairs, velocities along rows, unit quaternions.

@@ -23,6 +23,7 @@ from hertzwerk.runtime.engine.start.start_values import stated_values
 from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.system.arrays import Array
+from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -82,10 +83,16 @@ class RigidLimit(Mapping[str, Array]):
         """Times [s] (n,)."""
         return np.array(self.motion.t)
 
-    @property
+    @cached_property
     def energy(self) -> Array:
         """Kinetic and potential energy [J] (n,)."""
-        return np.array(self.motion.energy)
+        model = self.model
+        if not model.has_function("energy"):
+            return np.full(len(self.motion.t), math.nan)
+        states = ((t, y[: model.nq], y[model.nq :]) for t, y in zip(self.motion.t, self.motion.y, strict=True))
+        return np.array(
+            [sum(np.sum(part) for part in model.evaluate("energy", *state, self.c)[:2]) for state in states]
+        )
 
     @property
     def impulses(self) -> tuple[RigidImpulse, ...]:

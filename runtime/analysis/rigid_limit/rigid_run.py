@@ -58,13 +58,12 @@ class Accumulation(NamedTuple):
 class Motion:
     """Motion of a scene in the rigid limit: steps, impulses, ends of sequences of impacts.
 
-    t (n,), y (n, nq + nu) at the ends of steps, before and after impacts; energy (n,) [J]
+    t (n,), y (n, nq + nu) at the ends of steps, before and after impacts
     rubbed    energy [J] that friction dissipated between impacts
     """
 
     t: list[float] = field(default_factory=list)
     y: list[Array] = field(default_factory=list)
-    energy: list[float] = field(default_factory=list)
     impulses: list[RigidImpulse] = field(default_factory=list)
     accumulations: list[Accumulation] = field(default_factory=list)
     segments: list[Any] = field(default_factory=list)
@@ -128,7 +127,6 @@ class RigidRun:
     def _keep(self, t: float, y: Array) -> None:
         self.motion.t.append(t)
         self.motion.y.append(y)
-        self.motion.energy.append(self.equations.at(t, y).energy)
         self.progress(min(1.0, t / self.duration))
 
     # -- at an instant -------------------------------------------------------------------------------------------------
