@@ -1,5 +1,7 @@
 """Changes each numeric constant of each law by 1 % and runs what is known of that law: `python mutate_laws.py [LAW]...` prints a table.
 
+`wear` among the names stands for Archard's law by sectors, whose numbers are in its source: see `worn.py`.
+
 A constant is every number in a law's expressions where it stands (factors, exponents, the 1 of 1 - nu^2, the -1 of a difference or quotient, pi),
 the ranges it states, and the values it gives itself. The branch of Lambert's function is none: it is a choice between two functions.
 """
@@ -21,6 +23,7 @@ from bench import DIGITS
 from evidence import EVIDENCE
 from known import INDEPENDENT, TYPED
 from mpmath import mp
+from worn import survivors as survivors_of_wear
 
 from hertzwerk.derive.expressions.parameter import Interval, Parameter
 from hertzwerk.derive.laws import LAWS
@@ -141,7 +144,8 @@ def main(names: list[str]) -> int:
     left: list[tuple[str, Mutant]] = []
     print(f"{'law':<30} grade constants noticed     s  noticed first by")
     total = 0
-    for name in names or LAWS:
+    laws = [name for name in names or LAWS if name != "wear"]
+    for name in laws:
         began, by = time.perf_counter(), {}
         count = 0
         with mp.workdps(DIGITS):
@@ -159,8 +163,11 @@ def main(names: list[str]) -> int:
         )
     for name, mutant in left:
         print(f"SURVIVED {name}: {mutant.where}, {mutant.constant}")
-    print(f"{total} constants of {len(names or LAWS)} laws, {len(left)} changes not noticed")
-    return bool(left)
+    print(f"{total} constants of {len(laws)} laws, {len(left)} changes not noticed")
+    worn = list(survivors_of_wear()) if laws != names else []
+    for where in worn:
+        print(f"SURVIVED wear: {where}")
+    return bool(left or worn)
 
 
 if __name__ == "__main__":

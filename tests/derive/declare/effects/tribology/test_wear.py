@@ -7,51 +7,50 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import sympy as sp
+from each import each
+from worn import (
+    ACCELERATION,
+    CHECKS,
+    CLEARANCE,
+    DOWN,
+    LAW,
+    LENGTH,
+    PIN,
+    RATE,
+    SCALES,
+    SCENES,
+    SHAFT,
+    SPIN,
+    STIFFNESS,
+    A,
+    G,
+    K,
+    M,
+    V,
+    corner,
+    journal,
+    kernel,
+    p,
+    sliding,
+    sphere,
+    survivors,
+)
 
 import hertzwerk.derive as hd
 from hertzwerk.derive.equations.contact import worn_surfaces
+from hertzwerk.derive.program.emit.helpers import HELPERS
 from hertzwerk.derive.scenes.slider_crank_line import scene as crank
-from hertzwerk.runtime import equilibrium, load, simulate
-
-p = hd.Parameter
-K, RATE, ACCELERATION = 1e-14, p("wear_rate", "mm^3/(N m)", 1e-5), p("repetitions", "1", 1e4)
-G, M, A, V = 9.81, 2.0, 4e-6, 0.3
-BUSH, CLEARANCE, LENGTH, SPIN = 0.01, 1e-4, 0.02, 2 * np.pi
-PIN = BUSH - CLEARANCE
-SIZE = p("size", "mm", 1)
-SCALES = hd.Scales(SIZE, p("pace", "m/s", 1), arm=SIZE)
-BLOCK, SHAFT = (
-    hd.Body("block", p("mass", "kg", M)),
-    hd.Body("shaft", p("shaft_mass", "kg", M), inertia=p("J", "kg m^2", 1e-3)),
-)
-DOWN = hd.Gravity("gravity", p("g", "m/s^2", G), direction=-hd.Y)
-LAW = hd.laws.power(p("K", "N/m", 1e6), 1), hd.laws.kelvin_voigt(p("restitution", "1", 0.3))
+from hertzwerk.runtime import equilibrium, load, modes, simulate
 
 
-def sliding(pair, wear, lift=0, coordinates="tree"):
-    """A block pushed along a plane at a constant speed, under its weight."""
-    cart = hd.Body("cart", p("cart_mass", "kg", 1))
-    joints = hd.Prismatic("along", hd.GROUND, cart, axis=hd.X), hd.Prismatic("down", cart, BLOCK, axis=hd.Y)
-    effects = (
-        hd.ConstantSpeed("drive", "along", p("speed", "m/s", V)),
-        DOWN,
-        hd.Contact(pair.name, *LAW),
-        wear,
-        hd.EnergyLedger(),
-    )
-    start = hd.Start(position={"down": lift - p("sag", "um", M * G)})
-    return hd.Scene(hd.Mechanism("slides", joints, pairs=(pair,)), effects, SCALES, start, coordinates=coordinates)
+@each("name", CHECKS)
+def test_the_equations_of_wear_are_what_is_known_of_them(name):
+    CHECKS[name](hd.generate(SCENES[name]()))
 
 
-def corner(**options):
-    pair = hd.CornerOnFace("floor", BLOCK.at(0, 0, 0), hd.GROUND.at(0, 0, 0), hd.Y)
-    return pair, hd.Wear("wear", "floor", RATE, acceleration=ACCELERATION, **options)
-
-
-def sphere():
-    radius = p("radius", "mm", 10)
-    pair = hd.SphereOnPlane("floor", BLOCK.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), hd.Y)
-    return pair, hd.Wear("wear", "floor", RATE, acceleration=ACCELERATION), radius
+@pytest.mark.exhaustive
+def test_each_number_of_wear_changed_by_one_percent_is_noticed():
+    assert not list(survivors())
 
 
 @pytest.mark.parametrize(("coordinates", "method"), [("tree", "dop853"), ("absolute", "esdirk")])
@@ -79,37 +78,6 @@ def test_a_sphere_wears_flat():
     assert run.energy_residual < 1e-8
 
 
-def journal(first, second, sectors=16, coordinates="tree", load_ratio=0):
-    """A shaft that turns at a constant speed in a fixed bush, under its weight, and that times a cosine of its angle."""
-    hub = hd.Body("hub", p("hub_mass", "kg", 1))
-    joints = (
-        hd.Prismatic("across", hd.GROUND, hub, axis=hd.X),
-        hd.Prismatic("down", hub, BLOCK, axis=hd.Y),
-        hd.Revolute("spin", BLOCK, SHAFT, axis=hd.Z),
-    )
-    pair = hd.PinInBush("bearing", SHAFT.at(0, 0, 0), hd.GROUND.at(0, 0, 0), hd.Z, p("bush_radius", "mm", 10),
-                        p("clearance", "mm", 0.1), p("length", "mm", 20))  # fmt: skip
-    spin = p("spin", "rad/s", SPIN)
-    beat = hd.JointForce("beat", "down", -p("beat", "N", load_ratio * 2 * M * G) * sp.cos(spin * hd.T))
-    effects = (
-        hd.ConstantSpeed("drive", "spin", spin),
-        DOWN,
-        hd.Contact("bearing", *LAW),
-        hd.Wear("wear", "bearing", first, second, sectors, acceleration=ACCELERATION),
-        *([beat] if load_ratio else []),
-        hd.EnergyLedger(),
-    )
-    start = hd.Start(position={"down": p("low", "um", -100 - 2 * M * G * (1 + load_ratio))})
-    return hd.Scene(hd.Mechanism("turns", joints, pairs=(pair,)), effects, SCALES, start, coordinates=coordinates)
-
-
-def kernel(count, angles):
-    """Shares of sectors by the sines of Jackson's kernel, (angles, sectors)."""
-    half = (np.atleast_1d(angles)[:, None] - 2 * np.pi * np.arange(count) / count) / 2
-    values = (np.sinc(count / (2 * np.pi) * half) / np.sinc(half / np.pi)) ** 4
-    return values / values.sum(axis=1, keepdims=True)
-
-
 def depths(run, surface, count):
     return np.array([run[f"wear.{surface}_{k}"][-1] for k in range(1, count + 1)])
 
@@ -125,16 +93,6 @@ def test_a_pin_that_turns_wears_evenly(coordinates):
     assert run["wear.volume"] == pytest.approx(100 * K * run["wear.load_path"], rel=1e-12)
     assert not any(name.startswith("wear.bush") for name in run)
     assert run.energy_residual < 1e-8
-
-
-def test_a_bush_wears_where_it_is_loaded():
-    """Below the shaft, at 270 degrees, by the shares of the kernel; the pin sinks by their mean."""
-    run = simulate(load(journal(None, RATE)), duration=1.0, tolerance=1e-9)
-    (shares,) = kernel(16, 1.5 * np.pi)
-    whole = 1e4 * K * 2 * M * G * SPIN * PIN / (2 * np.pi * BUSH * LENGTH / 16)
-    assert depths(run, "bush", 16) == pytest.approx(whole * shares, rel=1e-5, abs=1e-12)
-    sunk = run["down.travel"][0] - run["down.travel"][-1]
-    assert sunk == pytest.approx(whole * shares @ shares, rel=1e-2)  # beside what damping carries while it sinks
 
 
 def test_doubled_sectors_leave_a_quarter_of_the_error():
@@ -157,16 +115,12 @@ def test_halved_acceleration_leaves_half_of_the_error():
     model, worn = load(journal(RATE, RATE)), []
     for turns in (1, 2, 4):
         accelerated = {"repetitions": (1e4 / turns, "1")}
-        run = simulate(model, duration=float(turns), tolerance=1e-9, parameters=accelerated, compiled=False)
+        options = {"tolerance": 1e-9, "method": "dop853", "compiled": False}
+        run = simulate(model, duration=float(turns), parameters=accelerated, **options)
         worn.append(np.concatenate([depths(run, "pin", 16), depths(run, "bush", 16)]))
     first, second = (np.abs(b - a).max() for a, b in pairwise(worn))
     assert first / second == pytest.approx(2, rel=0.02)
     assert first < 2e-3 * worn[-1].max()
-
-
-def worn_crank():
-    wear = hd.Wear("wear", "slider_pin", RATE, RATE, sectors=16, acceleration=ACCELERATION)
-    return replace(crank, effects=(*crank.effects[:-1], wear, crank.effects[-1]), name="worn_crank")
 
 
 @cache
@@ -174,9 +128,9 @@ def crank_model():
     return load(worn_crank())
 
 
-@cache
-def crank_run(method="dop853"):
-    return simulate(crank_model(), duration="12 ms", tolerance=1e-8, method=method, compiled=False)
+def worn_crank():
+    wear = hd.Wear("wear", "slider_pin", RATE, RATE, sectors=16, acceleration=ACCELERATION)
+    return replace(crank, effects=(*crank.effects[:-1], wear, crank.effects[-1]), name="worn_crank")
 
 
 def lost_by_quadrature(run):
@@ -188,13 +142,19 @@ def lost_by_quadrature(run):
     return 2 * 1e4 * K * (power @ weights * h / 2).sum()
 
 
-def test_the_volume_is_force_times_sliding_in_a_run_with_impacts():
-    """To rounding by the run's own states, to the tolerance by a quadrature of its histories."""
-    run = crank_run()
+def check_impacts(model=None, duration="6 ms"):
+    """Volume and energy in a run with impacts."""
+    run = simulate(model or load(worn_crank()), duration=duration, tolerance=1e-8, method="dop853", compiled=False)
     assert run["wear.volume"] == pytest.approx(2 * 1e4 * K * run["wear.load_path"], rel=1e-11)
     assert run["wear.volume"][-1] == pytest.approx(lost_by_quadrature(run), rel=1e-6)
-    assert depths(run, "bush", 16).max() > 5e-6
     assert run.energy_residual < 1e-7
+    return run
+
+
+def test_the_volume_is_force_times_sliding_in_a_run_with_impacts():
+    """To rounding by the run's own states, to the tolerance by a quadrature of its histories."""
+    run = check_impacts(crank_model(), "12 ms")
+    assert depths(run, "bush", 16).max() > 5e-6
 
 
 def test_derivatives_pass_through_wear():
@@ -211,31 +171,66 @@ def test_derivatives_pass_through_wear():
             assert run.derivatives[history, name][-1] == pytest.approx(difference, rel=1e-5)
 
 
-def test_rest_in_a_worn_bush():
-    """A pin at rest sinks by the depth below it; depths are given, not solved for."""
-    still = {"spin": (1e-9, "rad/s")}
-    at_rest = equilibrium(load(journal(None, RATE)), parameters=still, initial={"wear.bush_13": "50 um"})
-    (shares,) = kernel(16, 1.5 * np.pi)
-    low = CLEARANCE + 2 * M * G / 1e6 + 5e-5 * shares[12]
-    assert at_rest["down.travel"][0] == pytest.approx(-low, rel=1e-9)
-    assert at_rest["wear.bush_13"][0] == pytest.approx(5e-5, rel=1e-12)
+def test_rest_and_vibrations_in_a_worn_bush():
+    """A pin at rest sinks by the depth below it, and swings in the hollow's curvature; depths are given, not solved for."""
+    still, worn = {"spin": (1e-9, "rad/s")}, 1e-6
+    at_rest = equilibrium(load(journal(None, RATE)), parameters=still, initial={"wear.bush_13": (worn, "m")})
+    less, shares, more = kernel(16, 1.5 * np.pi + np.array([-1e-4, 0, 1e-4]))[:, 12]
+    radius = CLEARANCE + 2 * M * G / STIFFNESS + worn * shares
+    assert at_rest["down.travel"][0] == pytest.approx(-radius, rel=1e-9)
+    assert at_rest["wear.bush_13"][0] == pytest.approx(worn, rel=1e-12)
+    curvature = 1 / radius - worn * (less - 2 * shares + more) / 1e-4**2 / radius**2
+    swing, bounce = np.sqrt(2 * M * G * curvature / (2 * M + 1)), np.sqrt(STIFFNESS / (2 * M))
+    assert [2 * np.pi * mode.natural_frequency for mode in modes(at_rest)] == pytest.approx([swing, bounce], rel=1e-6)
 
 
-@pytest.mark.parametrize("name", ["lost", "couple", "progress"])
-def test_a_fault_in_the_wear_is_seen(monkeypatch, name):
-    """Depths 1 % off lose volume; a pin without its couple, or what is worn off without its energy, does not balance."""
-    of = getattr(worn_surfaces.WornContour, name)
-    faults = {
-        "lost": lambda self, label, rate: of(self, label, 1.01 * rate),
-        "couple": lambda self, force: of(self, 0),
-        "progress": lambda self, force, speed: replace(of(self, force, speed), recession=sp.S.Zero),
-    }
-    monkeypatch.setattr(worn_surfaces.WornContour, name, faults[name])
-    run = simulate(load(worn_crank()), duration="6 ms", tolerance=1e-8, method="dop853", compiled=False)
-    if name == "lost":
-        assert run["wear.volume"][-1] == pytest.approx(1.01 * 2 * 1e4 * K * run["wear.load_path"][-1], rel=1e-9)
+def changed(monkeypatch, kind, name, by):
+    """A method or a property of a worn surface that gives what `by` makes of its result."""
+    of = getattr(kind, name)
+    if callable(of):
+        monkeypatch.setattr(kind, name, lambda self, *given: by(self, of(self, *given)))
     else:
-        assert run.energy_residual > 1e-6
+        monkeypatch.setattr(kind, name, property(lambda self: by(self, of.func(self))))
+
+
+def turned_by_half_a_sector(monkeypatch):
+    text = HELPERS["_shares"]
+    monkeypatch.setitem(HELPERS, "_shares", text.replace("ca.DM(range(n))", "(ca.DM(range(n)) + 1/2)"))
+
+
+SPOT, CONTOUR = worn_surfaces.WornSpot, worn_surfaces.WornContour
+FAULTS = {
+    "a spot one per cent too small": (
+        test_a_sphere_wears_flat, SPOT, "lost", lambda self, found: ([1.01 * found[0][0]], 1.01 * found[1]),
+    ),
+    "sectors turned by half of one": (test_doubled_sectors_leave_a_quarter_of_the_error, turned_by_half_a_sector),
+    "acceleration to a power of 1.01": (
+        test_halved_acceleration_leaves_half_of_the_error, CONTOUR, "lost",
+        lambda self, found: ([rate * self.wear.acceleration ** sp.Rational(1, 100) for rate in found[0]], found[1]),
+    ),
+    "a depth one per cent too small": (test_rest_and_vibrations_in_a_worn_bush, CONTOUR, "depth", lambda self, w: w / 1.01),
+    "a slope one per cent too small": (test_rest_and_vibrations_in_a_worn_bush, CONTOUR, "slope", lambda self, s: s / 1.01),
+    "depths that lose volume": (
+        check_impacts, CONTOUR, "lost",
+        lambda self, found: ([0.99 * rate for rate in found[0]], found[1]),
+    ),
+    "no couple on the pin": (
+        check_impacts, CONTOUR, "couple", lambda self, couple: (0, 0, 0),
+    ),
+    "no energy lost with what is worn off": (
+        check_impacts, CONTOUR, "progress",
+        lambda self, found: replace(found, recession=sp.S.Zero),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.by_turns(2)
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_fault_in_the_wear_is_seen(monkeypatch, fault):
+    check, change, *where = FAULTS[fault]
+    with monkeypatch.context() as patched, pytest.raises(AssertionError):
+        changed(patched, change, *where) if where else change(patched)
+        check()
 
 
 def test_wear_that_fits_no_pair_is_refused():
