@@ -22,8 +22,6 @@ from hertzwerk.derive.expressions.dimension.expression import Expression, TextEr
 from hertzwerk.derive.expressions.dimension.frequencies import frequencies_as_angular
 from hertzwerk.derive.expressions.dimension.reader import NAMES_TOO, plain_name, read
 
-__all__ = ["audit_expression", "declarations", "finding", "undeclared"]
-
 
 def declarations(units: Iterable[str], values: Iterable[str]) -> tuple[dict[str, str], dict[str, float]]:
     """Parse texts `NAME=UNIT` and `NAME=NUMBER` (such as 1.1 or 3/2). Raises InputError."""

@@ -124,7 +124,7 @@ def numeric(symbols: Sequence[Any], wanted: Any, named: Sequence[tuple[Any, Any]
 
     named  assignments that they use, in order
     """
-    return sp.lambdify(symbols, wanted, [{"Where": _choose}, "mpmath"], cse=lambda of: (named, of))  # type: ignore[no-any-return]
+    return sp.lambdify(symbols, wanted, [{"Where": _choose}, "mpmath"], cse=lambda of: (named, of))
 
 
 def _choose(condition: Any, a: Any, b: Any) -> Any:

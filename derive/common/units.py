@@ -23,11 +23,6 @@ from decimal import Context, Decimal
 from fractions import Fraction
 from functools import lru_cache
 
-__all__ = [
-    *("Exponent", "Exponents", "Unit", "UnitError"),
-    *("parse_quantity", "parse_unit", "rate_remedy", "rational", "split_quantity", "unit_text"),
-]
-
 MAX_TEXT = 400  # characters of unit text
 MAX_DEPTH = 20  # nested parentheses
 MAX_EXPONENT = 100  # of a base unit; also bounds the digits of a fraction below

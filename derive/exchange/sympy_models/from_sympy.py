@@ -366,9 +366,6 @@ def _depends(columns: list[Mapping[str, Any]], column: Mapping[str, Any], rows: 
     return bool(ranks[0] == ranks[1])
 
 
-__all__ = ["Model", "from_sympy"]
-
-
 # -- loads of an imported model: generalised forces, and the power that they put in ------------------------------------
 
 

@@ -21,8 +21,6 @@ from hertzwerk.derive.exchange.user_files.law_file import audit_laws_as_written
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import Law
 
-__all__ = ["audit_catalogue", "audit_files", "audit_path", "differing_verdicts"]
-
 _RECORDS = ("StiffnessLaw", "DampingLaw", "FrictionLaw", "FilmLaw")
 
 

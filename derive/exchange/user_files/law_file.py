@@ -51,8 +51,6 @@ from hertzwerk.derive.laws.law import DampingLaw, FilmLaw, FrictionLaw, Law, Qua
 if TYPE_CHECKING:
     from hertzwerk.derive.exchange.user_files.law_table import DefinitionTable, LawTable, SymbolTable
 
-__all__ = ["WrittenLaw", "audit_laws_as_written", "laws_from", "read_laws"]
-
 
 @dataclass(frozen=True)
 class _Kind:

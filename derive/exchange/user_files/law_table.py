@@ -30,8 +30,6 @@ from hertzwerk.derive.expressions.dimension.reader import read
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import FORMS, GRADES
 
-__all__ = ["LawTable", "SymbolTable", "validated"]
-
 _NOT_IN_LAWS = ("diff", "integrate", "matrix", "@", "transpose", "inv", "det", "trace", "and", "or", "not", "==", "!=")
 
 

@@ -6,8 +6,6 @@ from typing import Any
 
 from hertzwerk.derive.expressions.algebra.functions import NoText
 
-__all__ = ["Features", "Stacked"]
-
 
 class Stacked(NoText):
     """`Stacked(*values)`: a vector of these entries."""

@@ -7,8 +7,6 @@ from typing import Any
 import sympy
 from sympy.logic.boolalg import Boolean
 
-__all__ = ["NoText", "Where", "with_pieces"]
-
 
 class NoText(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
     """A function that rejects text as an argument, which SymPy would execute."""

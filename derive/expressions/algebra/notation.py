@@ -11,8 +11,6 @@ from sympy.printing.str import StrPrinter
 
 from hertzwerk.derive.expressions.algebra.functions import with_pieces
 
-__all__ = ["latex_name", "latex_of", "text_of", "tidy"]
-
 _EULER = sp.Symbol("e_Euler")
 
 

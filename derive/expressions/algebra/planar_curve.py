@@ -12,20 +12,6 @@ import sympy as sp
 
 from hertzwerk.derive.expressions.algebra.functions import NoText
 
-__all__ = [
-    "Between",
-    "ChainPoints",
-    "Drawn",
-    "DrawnTeeth",
-    "Entry",
-    "Nearest",
-    "Place",
-    "PlanarChain",
-    "PlanarCurve",
-    "Sampled",
-    "Support",
-]
-
 
 class _OfData(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
     """Common part of curves: a SymPy object that is the data named by its slots."""
@@ -37,7 +23,7 @@ class _OfData(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         self = super().__new__(cls)
         for name in cls.__slots__:
             setattr(self, name, data[name])
-        return self  # type: ignore[no-any-return]
+        return self
 
     def _hashable_content(self) -> tuple[Any, ...]:
         return tuple(getattr(self, name) for name in self.__slots__)

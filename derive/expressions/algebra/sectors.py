@@ -6,8 +6,6 @@ from typing import Any
 
 from hertzwerk.derive.expressions.algebra.functions import NoText
 
-__all__ = ["Mean", "Share", "Shares"]
-
 
 class Shares(NoText):
     """`Shares(n, order, x, y)`: shares of n sectors in the direction (x, y), a vector.

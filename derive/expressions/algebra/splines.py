@@ -22,8 +22,6 @@ from hertzwerk.derive.common.identifiers import name_faults
 from hertzwerk.derive.common.units import UnitError, parse_unit
 from hertzwerk.derive.expressions.algebra.functions import NoText
 
-__all__ = ["Spline", "Table"]
-
 Pair = tuple[float, float]
 REACH = 48
 """Points beyond which the end of a spline changes nothing: 0.43^48 is below the rounding of a double."""
@@ -55,7 +53,7 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         self.units = _as_tuple(units)
         self.slopes = None if slopes is None else _as_tuple(slopes)
         self.periodic = periodic
-        return self  # type: ignore[no-any-return]
+        return self
 
     def _hashable_content(self) -> tuple[Any, ...]:
         return (self.name, repr(self.arguments), repr(self.values), self.units, repr(self.slopes), self.periodic)
@@ -68,8 +66,7 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
 
     def __call__(self, argument: Any) -> Spline:
         """The spline at an argument; raises TypeError for text."""
-        spline: Spline = Spline(self, argument, 0)
-        return spline
+        return Spline(self, argument, 0)
 
     def faults(self) -> Iterator[Fault]:
         """Yield the faults of the declaration."""

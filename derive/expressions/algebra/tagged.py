@@ -8,8 +8,6 @@ import sympy as sp
 
 from hertzwerk.derive.common.faults import Fault, refuse
 
-__all__ = ["Tagged"]
-
 
 class Tagged(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
     """Real symbol with attributes, `tags`; symbols that differ in one are different.
@@ -26,7 +24,7 @@ class Tagged(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
         self = sp.Symbol.__xnew__(cls, name, real=True)
         for tag, value in zip(cls.tags, values, strict=True):
             setattr(self, tag, value)
-        return self  # type: ignore[no-any-return]
+        return self
 
     @classmethod
     def must_be_text(cls, kind: str, name: object, **texts: object) -> None:

@@ -22,8 +22,6 @@ from hertzwerk.derive.expressions.dimension.expression import Expression
 from hertzwerk.derive.expressions.dimension.reader import RESERVED, plain_name
 from hertzwerk.derive.expressions.dimension.walker import Walker
 
-__all__ = ["Declared", "dimension_of_unit", "examine"]
-
 
 @dataclass(frozen=True)
 class Declared:

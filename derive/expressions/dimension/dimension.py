@@ -17,8 +17,6 @@ import sympy
 from hertzwerk.derive.common.faults import PicklableError
 from hertzwerk.derive.common.units import Exponent, Exponents, Unit, UnitError, parse_unit, rational, unit_text
 
-__all__ = ["ONE", "ZERO", "Dimension", "DimensionError", "DimensionFault", "canonical", "quantity"]
-
 Expr = Any  # a SymPy expression; SymPy is untyped
 
 # --- dimensions -----------------------------------------------------------------------------------------------------
@@ -44,7 +42,7 @@ class Dimension:
         object.__setattr__(self, "_hash", hash((*self.exponents, self.every)))  # once, not in every look-up
 
     def __hash__(self) -> int:
-        return self._hash  # type: ignore[attr-defined, no-any-return]
+        return self._hash  # type: ignore[attr-defined]
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Dimension, (*self.exponents, self.every)  # hashes of names differ by process

@@ -15,8 +15,6 @@ from hertzwerk.derive.expressions.dimension.dimension import Dimension, canonica
 from hertzwerk.derive.expressions.dimension.symbolic import converted
 from hertzwerk.derive.expressions.dimension.tree import Node
 
-__all__ = ["Expression", "TextError", "to_sympy"]
-
 MAX_DEGREE = 6  # degree of an exponent in its names
 MAX_OPERATIONS = 60  # operations in an exponent of a dimension
 

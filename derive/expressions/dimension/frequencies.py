@@ -15,8 +15,6 @@ from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.derive.expressions.dimension.dimension import canonical
 from hertzwerk.derive.expressions.dimension.tree import Node
 
-__all__ = ["frequencies_as_angular"]
-
 _PERIODIC = ("sin", "cos", "tan")
 _TURN = 1e-3  # relative distance of a number from 2 pi, or its square, within which it is one
 _PER_SECOND = parse_unit("1/s").exponents

@@ -28,8 +28,6 @@ from mpmath import lambertw  # SymPy brings it
 from hertzwerk.derive.expressions.dimension.expression import Expression, TextError
 from hertzwerk.derive.expressions.dimension.tree import Node
 
-__all__ = ["FUNCTIONS", "read"]
-
 MAX_TEXT = 2000  # characters
 MAX_DEPTH = 40  # nested operations; the terms of a sum and the factors of a product count once
 MAX_POWER = 100  # size of an exponent that is a number; of exponents of exponents, their product

@@ -18,8 +18,6 @@ from hertzwerk.derive.expressions.dimension.dimension import ONE, Dimension, can
 from hertzwerk.derive.expressions.dimension.rules import Walk
 from hertzwerk.derive.expressions.dimension.tree import Node
 
-__all__ = ["repair"]
-
 Offer = tuple[Any, str | None]
 """Exponent that makes the units consistent, if there is one, and a sentence."""
 

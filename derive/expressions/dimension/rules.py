@@ -15,8 +15,6 @@ import sympy as sp
 from hertzwerk.derive.expressions.dimension.dimension import ONE, ZERO, Dimension, DimensionError, canonical
 from hertzwerk.derive.expressions.dimension.tree import COMPARISONS, Node, Tree
 
-__all__ = ["NOUNS", "SIGNATURES", "Signature", "Walk"]
-
 
 @dataclass(frozen=True)
 class Signature:
@@ -65,8 +63,7 @@ def _power(walk: Walk, node: Node) -> Dimension:
     base, exponent = node.args
     dimension = walk(base)
     if exponent.op == "number":
-        result: Dimension = dimension ** canonical(exponent.number)
-        return result
+        return dimension ** canonical(exponent.number)
     if not walk(exponent).dimensionless:
         raise walk.pure(node, exponent, "an exponent is dimensionless")
     if dimension.dimensionless:
@@ -75,8 +72,7 @@ def _power(walk: Walk, node: Node) -> Dimension:
     strange = [str(name) for name in names if name not in walk.constants]
     value = None if strange else walk.tree.value(exponent, walk.constants)
     if value is not None and (value.is_Rational or (value.free_symbols and value.is_finite is not False)):
-        powered: Dimension = dimension**value
-        return powered
+        return dimension**value
     quoted = walk.tree.quote(exponent)
     cause = f"{', '.join(strange)}, no constant parameter" if strange else f"{quoted}, which is not rational"
     reason = f"in {walk.tree.quote(node)}, the unit of a power of {dimension} depends on {cause}"
@@ -98,8 +94,7 @@ def _spline(walk: Walk, node: Node) -> Dimension:
         quoted = walk.tree.quote(argument)
         reason = f"in {walk.tree.quote(node)}, {quoted} is {dimension}, and {table} is a table of arguments in {per}"
         raise walk.fault(node, dimension, per, reason, argument, (argument,))
-    result: Dimension = of / per**order
-    return result
+    return of / per**order
 
 
 def _derivative(walk: Walk, node: Node) -> Dimension:

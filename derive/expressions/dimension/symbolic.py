@@ -20,8 +20,6 @@ from hertzwerk.derive.expressions.algebra.splines import Spline
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
 from hertzwerk.derive.expressions.dimension.tree import Node
 
-__all__ = ["SYMPY", "Symbolic", "converted", "reader", "symbolic"]
-
 MAX_NESTED = 2  # deepest nesting of functions of numbers that SymPy evaluates exactly
 
 

@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING, Any, Protocol
 if TYPE_CHECKING:
     from hertzwerk.derive.expressions.dimension.dimension import Dimension
 
-__all__ = ["COMPARISONS", "Node", "Tree"]
-
 COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
 
 

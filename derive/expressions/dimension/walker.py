@@ -27,8 +27,6 @@ from hertzwerk.derive.expressions.dimension.rules import NOUNS, SIGNATURES, Sign
 from hertzwerk.derive.expressions.dimension.symbolic import Symbolic, as_immutable, symbolic
 from hertzwerk.derive.expressions.dimension.tree import Node, Tree
 
-__all__ = ["Walker", "check", "dimension_of"]
-
 _WHOLE = Signature("alike", "same")
 
 

@@ -155,8 +155,7 @@ def _impact_rate(samples: Samples) -> float:
 
 
 def _largest(history: History, names: Sequence[str]) -> np.ndarray:
-    largest: np.ndarray = np.max(np.abs([history[name] for name in names]), axis=0)
-    return largest
+    return np.max(np.abs([history[name] for name in names]), axis=0)
 
 
 def _way(samples: Samples, journals: Sequence[Sequence[str]]) -> float:
@@ -167,8 +166,7 @@ def _way(samples: Samples, journals: Sequence[Sequence[str]]) -> float:
     def speeds(history: History) -> np.ndarray:
         rates = history.output_rates()
         columns = ([model.outputs.index(part) for part in parts] for parts in journals)
-        total: np.ndarray = np.sum([np.sqrt(np.sum(rates[:, of] ** 2, axis=1)) for of in columns], axis=0)
-        return total
+        return np.sum([np.sqrt(np.sum(rates[:, of] ** 2, axis=1)) for of in columns], axis=0)
 
     return fine.integral(speeds)
 

@@ -99,8 +99,7 @@ def _motion_of_joints(model: EngineModel) -> Any:
 
 def _least_squares(columns: Any, free: Sequence[int], wanted: np.ndarray) -> np.ndarray:
     """Return the changes of the free variables that come closest to the wanted ones."""
-    changes: np.ndarray = np.linalg.lstsq(np.array(columns)[:, free], wanted, rcond=None)[0]
-    return changes
+    return np.linalg.lstsq(np.array(columns)[:, free], wanted, rcond=None)[0]
 
 
 def study_effects(

@@ -100,8 +100,7 @@ class Energies:
     @cached_property
     def total(self) -> Array:
         """Kinetic and potential energy, and that stored by contacts."""
-        total: Array = self.kinetic + self.potential + np.sum(np.where(self.mode == CONTACT, self.stored, 0), axis=1)
-        return total
+        return self.kinetic + self.potential + np.sum(np.where(self.mode == CONTACT, self.stored, 0), axis=1)
 
     @property
     def initial(self) -> float:
@@ -126,8 +125,7 @@ class Energies:
     def begins(self, j: int) -> NDArray[np.bool_]:
         """Return a mask of the rows at which a contact of pair j begins, or exists from the start."""
         inside = self.mode[:, j] == CONTACT
-        first: NDArray[np.bool_] = inside & ~np.concatenate([[False], inside[:-1]])
-        return first
+        return inside & ~np.concatenate([[False], inside[:-1]])
 
     @property
     def residual(self) -> float:

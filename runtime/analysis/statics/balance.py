@@ -138,8 +138,7 @@ def memory_of(model: EngineModel, mu: Array) -> Array:
 
 def bristles_of(model: EngineModel) -> Sequence[tuple[int, int]]:
     """Return the entry of the memory and the pair of every bristle or of its parts."""
-    bristles: Sequence[tuple[int, int]] = model.module.BRISTLES
-    return bristles
+    return model.module.BRISTLES
 
 
 @per_model
@@ -241,5 +240,4 @@ def kernel(matrix: Array) -> Array:
         return np.eye(matrix.shape[1])
     _, sizes, ways = np.linalg.svd(matrix)
     rank = int(np.sum(sizes > RANK * max(float(sizes[0]), 1e-300))) if len(sizes) else 0
-    basis: Array = ways[rank:].T
-    return basis
+    return ways[rank:].T

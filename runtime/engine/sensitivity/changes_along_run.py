@@ -114,8 +114,7 @@ def _floor_changes(history: History, directions: Directions) -> np.ndarray:
     parameters = list(history.model.parameters)
     if "approach_floor" not in parameters:
         return np.zeros(directions.count)
-    changes: np.ndarray = directions.dp[parameters.index("approach_floor")]
-    return changes
+    return directions.dp[parameters.index("approach_floor")]
 
 
 def _latch(

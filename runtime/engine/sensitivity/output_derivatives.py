@@ -85,21 +85,18 @@ class OutputDerivatives:
             return self._integral(f"{before}.normal_force", lambda h: h, np.ones_like)
         reducer = _REDUCERS.get(last)
         if reducer is not None and before in units_of(model, None):
-            reduced: np.ndarray = reducer(self, before)
-            return reduced
+            return reducer(self, before)
         raise NoDerivativeError(without_derivative(output) or OWN)
 
     def _at(self, time: float, history: str) -> np.ndarray:
-        derivatives: np.ndarray = self.of.along(np.array([time]), history)[0]
-        return derivatives
+        return self.of.along(np.array([time]), history)[0]
 
     def _largest_impact(self, quantity: str, pair: str) -> np.ndarray:
         some = [i for i, impact in enumerate(self.run.impacts) if pair in ("", impact.contact)]
         if not some:
             return np.zeros(len(self.of.names))
         top = max(some, key=lambda i: getattr(self.run.impacts[i], quantity))
-        derivatives: np.ndarray = self.of.along_impacts(quantity)[top]
-        return derivatives
+        return self.of.along_impacts(quantity)[top]
 
     # -- integrals ---------------------------------------------------------------------------------------------------
 
@@ -139,8 +136,7 @@ class OutputDerivatives:
 
         def limit(index: np.ndarray, begin: np.ndarray, by: np.ndarray) -> np.ndarray:
             near, far = (history.between(index, begin + part * by)[name] for part in (1, 2))
-            extrapolated: np.ndarray = 2 * near - far
-            return extrapolated
+            return 2 * near - far
 
         return limit(rows - 1, steps[rows - 1], -by[rows - 1]), limit(rows, 0 * steps[rows], by[rows])
 
@@ -155,8 +151,7 @@ class OutputDerivatives:
 
     def _mean(self, name: str) -> np.ndarray:
         self._within_horizon()
-        derivatives: np.ndarray = self._integral(name, lambda h: h, np.ones_like) / self._time
-        return derivatives
+        return self._integral(name, lambda h: h, np.ones_like) / self._time
 
     def _norm(self, name: str, order: int) -> np.ndarray:
         self._within_horizon()
@@ -164,8 +159,7 @@ class OutputDerivatives:
         if value == 0:
             raise NoDerivativeError("it is zero throughout, where a root has no derivative")
         by = self._integral(name, lambda h: (h / value) ** order, lambda h: order * (h / value) ** (order - 1) / value)
-        derivatives: np.ndarray = value * by / (order * self._time)
-        return derivatives
+        return value * by / (order * self._time)
 
     @property
     def _time(self) -> float:
@@ -193,8 +187,7 @@ class OutputDerivatives:
         return self.of.after_event(int(near[0]), name)
 
     def _peak_to_peak(self, name: str) -> np.ndarray:
-        derivatives: np.ndarray = self._extreme(name, 1) - self._extreme(name, -1)
-        return derivatives
+        return self._extreme(name, 1) - self._extreme(name, -1)
 
 
 _REDUCERS: dict[str, Callable[[OutputDerivatives, str], np.ndarray]] = {

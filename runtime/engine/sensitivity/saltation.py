@@ -91,8 +91,7 @@ class Jumps:
     @cached_property
     def determined(self) -> np.ndarray:
         """Whether guards determine the time of each event (j,), and it changes smoothly."""
-        determined: np.ndarray = self.guards.any(axis=1) & ~self.graze & ~(self.guards & (self.speed == 0)).any(axis=1)
-        return determined
+        return self.guards.any(axis=1) & ~self.graze & ~(self.guards & (self.speed == 0)).any(axis=1)
 
     @cached_property
     def change(self) -> np.ndarray:
@@ -106,14 +105,12 @@ class Jumps:
             return np.zeros((len(self.rows), self.change.shape[2]))
         first = np.arange(len(self.rows)), self.guards.argmax(axis=1)
         speed = np.where(self.determined, self.speed[first], np.inf)
-        time: np.ndarray = -self.change[first] / speed[:, None]
-        return time
+        return -self.change[first] / speed[:, None]
 
     @cached_property
     def then(self) -> np.ndarray:
         """Maps (j, size, n + P) to the changes of what is watched, at the events."""
-        changes: np.ndarray = self.change + self.speed[:, :, None] * self.time[:, None]
-        return changes
+        return self.change + self.speed[:, :, None] * self.time[:, None]
 
     def maps(self, floor: np.ndarray) -> np.ndarray:
         """Return the maps (j, n, n + P) to the changes after the events.
@@ -270,8 +267,7 @@ def _slipping(history: History, index: np.ndarray, before: np.ndarray, h: np.nda
     turned = slips[index] != slips[index + 1]
     own = turned & (np.abs(margin) <= np.abs(rate) * NEAR * h[:, None])
     first = turned & (np.cumsum(turned, axis=1) == 1)
-    slipping: np.ndarray = np.where(own.any(axis=1)[:, None], own, first)
-    return slipping
+    return np.where(own.any(axis=1)[:, None], own, first)
 
 
 def _rates_inside(history: History, rows: np.ndarray, by_gap: np.ndarray) -> np.ndarray:
@@ -289,10 +285,7 @@ def _rates_inside(history: History, rows: np.ndarray, by_gap: np.ndarray) -> np.
     )
     change, before = third - second, second - first
     curved = change - before
-    rates: np.ndarray = third - np.where(
-        np.abs(change) < np.abs(before), change**2 / np.where(curved == 0, 1, curved), 0
-    )
-    return rates
+    return third - np.where(np.abs(change) < np.abs(before), change**2 / np.where(curved == 0, 1, curved), 0)
 
 
 def _moved(rows: np.ndarray, times: np.ndarray, history: History) -> np.ndarray:
@@ -304,8 +297,7 @@ def _moved(rows: np.ndarray, times: np.ndarray, history: History) -> np.ndarray:
         moved[:, layout["y"]] += longest * rows[:, layout["dy"]]
     parts = (moved[:, layout[part]] for part in PARTS)
     pieces = [rows[:, layout["pieces"]]] if history.model.inputs else []
-    rates: np.ndarray = _rates(history.model)(history.controls[: history.model.nc], *parts, *pieces)[0]
-    return rates
+    return _rates(history.model)(history.controls[: history.model.nc], *parts, *pieces)[0]
 
 
 @per_model

@@ -66,8 +66,7 @@ def columns_of(dc: np.ndarray) -> Columns:
 
 def changes_of(dc: np.ndarray) -> np.ndarray:
     """Return the changes (nd,) of constants, column after column, without those that are zero."""
-    changes: np.ndarray = dc.T[dc.T != 0]
-    return changes
+    return dc.T[dc.T != 0]
 
 
 @dataclass(frozen=True)
@@ -287,8 +286,7 @@ def _chain(link: Link) -> Any:
 def along(maps: np.ndarray, before: np.ndarray) -> np.ndarray:
     """Return the changes (..., P) that maps (..., n + P) make of those before them (..., n, P)."""
     n = before.shape[-2]
-    after: np.ndarray = maps[..., :n] @ before + maps[..., n:]
-    return after
+    return maps[..., :n] @ before + maps[..., n:]
 
 
 @per_model

@@ -231,8 +231,7 @@ def _averages(
         return over_impacts(pair, lambda _: 1.0) / dt
 
     def summed(part: str, column: int) -> np.ndarray:
-        series: np.ndarray = getattr(sums(), part)[:, column]
-        return series
+        return getattr(sums(), part)[:, column]
 
     for j, pair in enumerate(model.pairs):
         hits = partial(over_impacts, pair, lambda _: 1.0)

@@ -382,8 +382,7 @@ def _beside(pieces: Sequence[Piece], run: np.ndarray, places: np.ndarray, onsets
 
 def _at_once(one: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Return whether times [s] are the same but for rounding."""
-    same: np.ndarray = np.abs(one - other) <= AT_ONCE * np.abs(other)
-    return same
+    return np.abs(one - other) <= AT_ONCE * np.abs(other)
 
 
 def _last_change(block: History) -> np.ndarray:

@@ -49,8 +49,7 @@ class Intrusion:
     @property
     def allowed(self) -> float:
         """Return about the depth [m] that could be caused."""
-        allowed: float = self.depth * (LIMIT * self.scene / self.speed) ** (2 / STEEPEST)
-        return allowed
+        return self.depth * (LIMIT * self.scene / self.speed) ** (2 / STEEPEST)
 
 
 def intrusions(model: EngineModel, bound: BoundParameters, q: np.ndarray, u: np.ndarray) -> tuple[Intrusion, ...]:

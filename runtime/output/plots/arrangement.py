@@ -72,8 +72,7 @@ class Arrangement(LayoutEngine):
 
 def _under(axis: Any, distance: float) -> Transform:
     """Return the coordinates of a panel, from a distance [inch] below it."""
-    transform: Transform = axis.transAxes + ScaledTranslation(0, -distance, axis.figure.dpi_scale_trans)
-    return transform
+    return axis.transAxes + ScaledTranslation(0, -distance, axis.figure.dpi_scale_trans)
 
 
 def _above(axis: Any) -> float:

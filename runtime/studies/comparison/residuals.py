@@ -92,8 +92,7 @@ def autocorrelations(residual: Array) -> Array:
         return np.zeros(0)
     correlations = products[1:] / products[0]
     gone = np.flatnonzero(np.abs(correlations) < 2 / math.sqrt(n))
-    leading: Array = correlations[: gone[0] if len(gone) else len(correlations)]
-    return leading
+    return correlations[: gone[0] if len(gone) else len(correlations)]
 
 
 def _ratio(independent: float, chance: float) -> float:

@@ -17,8 +17,7 @@ def study_of(target: str) -> Study:
     from hertzwerk.runtime.engine.model.build import defined_by, is_file
 
     if target in NAMES:
-        study: Study = import_module(f"hertzwerk.runtime.studies.paper.study_{target}").STUDY
-        return study
+        return import_module(f"hertzwerk.runtime.studies.paper.study_{target}").STUDY
     if not is_file(target):
         raise InputError("study", [unknown("study", target, NAMES, "or a Python file (its name ends in .py)")])
     own = defined_by(Path(target)).get("study")

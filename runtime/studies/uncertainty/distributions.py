@@ -289,8 +289,7 @@ def correlated_parts(points: Array, correlation: Array) -> Array:
 
     if np.array_equal(correlation, np.eye(len(points))):
         return points
-    parts: Array = ndtr(np.linalg.cholesky(correlation) @ ndtri(points))
-    return parts
+    return ndtr(np.linalg.cholesky(correlation) @ ndtri(points))
 
 
 def covariance(drawn: Sequence[Any], correlation: Array) -> Array:

@@ -104,8 +104,7 @@ class Design:
         from scipy.stats import qmc  # slow to import
 
         sampler = {"latin": qmc.LatinHypercube, "sobol": qmc.Sobol}[self.sampler]
-        parts: np.ndarray = sampler(len(self.axes), rng=self.seed).random(self.sample)
-        return parts
+        return sampler(len(self.axes), rng=self.seed).random(self.sample)
 
 
 def _drawn(axis: Axis, part: float) -> ValueWithUnit | str:

@@ -87,8 +87,7 @@ class Section:
             times = np.append(t[index] + within, t[last])
             crossings.append(self._located(run, times, values))
         times = np.concatenate(crossings) if crossings else np.zeros(0)
-        after: np.ndarray = times[times > begin + EDGE * (t[-1] - begin)]
-        return after
+        return times[times > begin + EDGE * (t[-1] - begin)]
 
     def _located(self, run: EngineSolution, times: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the crossings [s] between samples of the history at increasing times."""
