@@ -3,10 +3,9 @@
     python tests/benchmarks/run.py [SECTION...]        (--help lists them)
 
 Every number is a median of at least five measurements that alternate between the sides. A ratio's bar is what the issues ask for: issue 2 ("Speed")
-in startup and derivation, issue 5 ("Numbers") in chains and coordinates, issue 6 in nothing and honesty (which is no
-matter of time but of shares), issue 11 in auto, issue 13 in sweep, issue 15 in sensitivities, issue 36 in size, rows, minute and bodies,
-issue 38 in measured, issue 40 in overpaid, issues 4 and 40 in limit, issue 4 ("Numbers") in the others. Nothing here fails a test,
-for seconds depend on the machine.
+in startup, issue 5 ("Numbers") in chains, issue 6 in honesty (which is no matter of time but of shares), issue 13 in sweep, issue 15 in
+sensitivities, issue 36 in size, rows, minute and bodies, issue 38 in measured, issue 40 in overpaid, issues 4 and 40 in limit. Nothing here
+fails a test, for seconds depend on the machine.
 """
 
 from __future__ import annotations
@@ -23,21 +22,17 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1] / "runtime"))
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from benchmarks.automatic import automatic
 from benchmarks.bodies import bodies
 from benchmarks.chains import chains
-from benchmarks.derivation import derivation
 from benchmarks.derivatives import sensitivities
 from benchmarks.honesty import honesty
 from benchmarks.limit import limit
 from benchmarks.measured import measured
 from benchmarks.minute import minute
 from benchmarks.overpaid import overpaid
-from benchmarks.pairs import pairs
 from benchmarks.ratios import Ratio, medians, timed
 from benchmarks.rows import rows
 from benchmarks.size import size
-from benchmarks.stiff import implicit
 from benchmarks.sweep import sweep
 
 # ---- whole process ---------------------------------------------------------------------------------------------------
@@ -66,12 +61,8 @@ def startup() -> Iterator[Ratio]:
 
 SECTIONS = {
     "startup": startup,
-    "derivation": derivation,
     "chains": chains,
     "limit": limit,
-    "implicit": implicit,
-    "pairs": pairs,
-    "auto": automatic,
     "honesty": honesty,
     "overpaid": overpaid,
     "sweep": sweep,

@@ -1,7 +1,7 @@
 // The slider-crank with clearance as fast as one writes it by hand: the limit that generated code is measured against.
 //
 //   g++ -O3 -march=native -std=c++17 slider_crank.cpp -o slider_crank
-//   ./slider_crank run METHOD TOLERANCE FRICTION CLEARANCE REPEATS TIME...   METHOD: dopri5 | dop853 | regularised, FRICTION: 0 | 1
+//   ./slider_crank run METHOD TOLERANCE FRICTION CLEARANCE REPEATS TIME...   METHOD: dopri5 | dop853, FRICTION: 0 | 1
 //   ./slider_crank bare                                                      time of one evaluation in each mode
 //
 // Both print one JSON object in SI units. TOLERANCE is the local error in the scene's scales: positions by the clearance (the
@@ -250,8 +250,6 @@ class Simulation {
   }
 };
 
-#include "regularised.hpp"
-
 template <class Simulation>
 void run(Real tolerance, Real clearance, int repeats, const std::vector<Real>& times) {
   const Mechanism<Real> mechanism(clearance);
@@ -323,12 +321,11 @@ int main(int count, char** arg) {
     Run frictionless, with_friction;
   };
   const Method methods[] = {{"dopri5", run<Simulation<Dopri5, false>>, run<Simulation<Dopri5, true>>},
-                            {"dop853", run<Simulation<Dop853, false>>, run<Simulation<Dop853, true>>},
-                            {"regularised", run<Regularised<false>>, run<Regularised<true>>}};
+                            {"dop853", run<Simulation<Dop853, false>>, run<Simulation<Dop853, true>>}};
   for (const Method& method : methods) {
     if (std::strcmp(arg[2], method.name)) continue;
     (friction ? method.with_friction : method.frictionless)(tolerance, clearance, repeats, times);
     return 0;
   }
-  return std::fputs("METHOD is dopri5, dop853 or regularised\n", stderr), 2;
+  return std::fputs("METHOD is dopri5 or dop853\n", stderr), 2;
 }
