@@ -30,7 +30,7 @@ PAGES = tuple(page.relative_to(ROOT).as_posix() for page in sorted((ROOT / HANDB
 TEXTS = {name: (ROOT / name).read_text(encoding="utf-8") for name in (*DOCUMENTS, *PAGES)}
 # Commands and options that take many seconds, each with tests of its own or a step of .ci/run
 LONG = {
-    *("accuracy", "animate", "effects", "export", "hardcases", "propagate", "report", "study", "validate"),
+    *("accuracy", "animate", "effects", "export", "hardcases", "minimise", "propagate", "report", "study", "validate"),
     *("--check", "--restitution", "--section", "--table"),
 }
 

@@ -24,7 +24,9 @@ PAIRS = [(case, method) for case in CASES for method in case.methods]
 IN_CI = ("dop853", "esdirk")  # whose C is compiled there; compiling takes most of the time
 LONG_IN_C = {
     "falling_chain_of_3",
+    "touching_row_cubic",
     "touching_row_fine",
+    "touching_row_linear",
     "redundant_constraints",
     "two_waves_meet",
     "change_points",

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pint
 import pytest
+from each import each
 
 from hertzwerk import runtime
 from hertzwerk.derive.common.faults import InputError
@@ -389,7 +390,7 @@ ball.equations()
 """
 
 
-@pytest.mark.parametrize("row", WRONG.strip().splitlines())
+@each("row", WRONG.strip().splitlines())
 def test_a_wrong_call_is_refused_before_anything_runs(row, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     for place in (simulation, continuation):
@@ -401,7 +402,7 @@ def test_a_wrong_call_is_refused_before_anything_runs(row, monkeypatch, tmp_path
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("call", RIGHT.strip().splitlines())
+@each("call", RIGHT.strip().splitlines())
 def test_a_right_call_is_answered(call):
     assert eval(call, {**GIVEN}) is not None
 

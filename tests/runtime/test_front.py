@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from each import each
 
 from hertzwerk import runtime
 from hertzwerk.derive.common.faults import InputError
@@ -61,8 +62,8 @@ CALLS: dict[str, Callable[..., Any]] = {
 WITHOUT_PROGRESS = {"compare", "equilibrium", "minimise", "modes"}
 
 
-@pytest.mark.parametrize("function", CALLS)
-@pytest.mark.parametrize("target", TARGETS)
+@each("function", CALLS)
+@each("target", TARGETS)
 def test_every_function_takes_every_target(function, target):
     """What is no parameter of the scene is refused by name, which takes the scene."""
     with pytest.raises(InputError, match=r"bouncing_ball|laws") as caught:
@@ -70,14 +71,14 @@ def test_every_function_takes_every_target(function, target):
     assert any("mas" in str(fault) and "mass" in str(fault) for fault in caught.value.faults)
 
 
-@pytest.mark.parametrize("function", CALLS)
-@pytest.mark.parametrize("target", [5, None, ["bouncing_ball"], "bouncing_bal", Path("no_such_scene.py")])
+@each("function", CALLS)
+@each("target", [5, None, ["bouncing_ball"], "bouncing_bal", Path("no_such_scene.py")])
 def test_a_value_that_is_no_target_is_refused(function, target):
     with pytest.raises(InputError):
         CALLS[function](target)
 
 
-@pytest.mark.parametrize("function", CALLS)
+@each("function", CALLS)
 def test_values_are_parameters_and_initial_states(function):
     """Initial states may stand among the parameters; in both they are refused."""
     with pytest.raises(InputError) as caught:
@@ -91,7 +92,7 @@ def test_values_are_parameters_and_initial_states(function):
     assert not {"values", "model", "output", "how", "limits"} & set(names)
 
 
-@pytest.mark.parametrize("function", sorted(set(CALLS) - WITHOUT_PROGRESS))
+@each("function", sorted(set(CALLS) - WITHOUT_PROGRESS))
 def test_a_progress_that_cannot_be_called_is_refused(function):
     with pytest.raises(InputError, match="progress: found 3"):
         CALLS[function](BALL, progress=3)

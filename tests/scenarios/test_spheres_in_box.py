@@ -57,7 +57,7 @@ def test_the_scenario_expects_the_forces_of_statics():
         assert float(expected[f"final.{quantity}.normal_force"].removesuffix(" N")) == pytest.approx(force, rel=3e-6)
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive  # of five spheres the scenario is run in CI
 def test_a_heap_falls_settles_and_rests():
     """No two spheres pass through each other on the way, each is in equilibrium at the end, and the ledger closes."""
     n, width = 8, 0.1

@@ -163,7 +163,7 @@ def test_only_a_literal_zero_has_every_dimension():
     assert audit_expression("(1 - 1)*m + v", UNITS).verdict == "inconsistent"
 
 
-@pytest.mark.parametrize(
+@each(
     ("text", "expect", "exponent", "repair"),
     [
         ("K*d", "N", "3/2", "with d**(3/2) it is N"),
@@ -195,8 +195,8 @@ def test_repairs(text, expect, exponent, repair):
     assert (finding.consistent_exponent, finding.repair) == (exponent, repair)
 
 
-@pytest.mark.parametrize("base", ["E**2*d**3", "E**2/d", "E**2*R*d", "E*d", "d/E**2"])
-@pytest.mark.parametrize("form", ["({})**(1/2)", "sqrt({})", "a*({})**2", "1/({})", "3/sqrt({})", "sqrt(sqrt({}))"])
+@each("base", ["E**2*d**3", "E**2/d", "E**2*R*d", "E*d", "d/E**2"])
+@each("form", ["({})**(1/2)", "sqrt({})", "a*({})**2", "1/({})", "3/sqrt({})", "sqrt(sqrt({}))"])
 def test_a_repair_within_a_root_or_power_is_right_where_it_is_written(base, form):
     """The power that is offered, put into the text in place of the name's, gives the unit expected."""
     units = {"E": "Pa", "d": "m", "R": "m", "a": "1"}
@@ -209,7 +209,7 @@ def test_a_repair_within_a_root_or_power_is_right_where_it_is_written(base, form
             assert audit_expression(put, units, {}, expect).verdict == "consistent", (text, repair)
 
 
-@pytest.mark.parametrize(
+@each(
     ("text", "expect", "blamed"),
     [
         ("Kn*d**n*(1 + 3*(1 - theta**2)/4*v/t)", "N", "3*(1 - theta**2)/4*v/t is m/s^2"),
@@ -271,7 +271,7 @@ def test_all_faults_come_at_once():
         assert part in text
 
 
-@pytest.mark.parametrize(
+@each(
     ("text", "units", "part"),
     [
         ("d^2", {"d": "m"}, "a power is written d**n"),

@@ -88,7 +88,7 @@ def test_the_catalogue_gives_what_is_owed(name):
     assert law_faults(LAWS[name]) == ()
 
 
-@pytest.mark.parametrize("wrong", WRONG)
+@each("wrong", WRONG)
 def test_a_law_that_fails_is_reported_with_the_point(wrong):
     law, said = WRONG[wrong]
     fault, *_ = law_faults(law)

@@ -6,6 +6,7 @@ from importlib import import_module
 
 import pytest
 from click.testing import CliRunner
+from each import each
 
 import hertzwerk.derive as hd
 from hertzwerk.derive.audit.audit import advice_findings
@@ -46,7 +47,7 @@ def test_the_flagship_s_law_of_another_contact_is_reported_with_laws_that_fit():
     assert not {"hertz_point", "power", "goldsmith"} & set(rows)  # of points, of any form, inconsistent
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each("name", NAMES)
 def test_scenes_are_advised_once_and_only_where_law_and_pair_differ(name):
     said = advice(scene_from(name))
     assert len(said) == (name in ADVISED)

@@ -97,7 +97,7 @@ def test_reads_units_as_people_write_them(text, factor, m, l, t, theta, printed)
     assert unit_text(unit.exponents) == str(unit) == printed
 
 
-@pytest.mark.parametrize(
+@each(
     ("text", "of", "printed"),
     [
         ("V", "W/A", "W/A"),
@@ -170,7 +170,7 @@ def test_refuses_with_the_way_out(text, said):
     assert "found" in str(raised.value)
 
 
-@pytest.mark.parametrize("value", [5, None, ["m"], b"m"])
+@each("value", [5, None, ["m"], b"m"])
 def test_refuses_what_is_no_text(value):
     for read in (parse_unit, parse_quantity):
         with pytest.raises(UnitError, match=r"as text such as|unit text such as"):
@@ -194,7 +194,7 @@ QUANTITIES = [
 ]
 
 
-@pytest.mark.parametrize(("text", "value", "si", "printed"), QUANTITIES, ids=[row[0] for row in QUANTITIES])
+@each(("text", "value", "si", "printed"), QUANTITIES)
 def test_reads_quantities(text, value, si, printed):
     actual, unit = parse_quantity(text)
     assert actual == value
@@ -202,7 +202,7 @@ def test_reads_quantities(text, value, si, printed):
     assert str(unit) == printed
 
 
-@pytest.mark.parametrize(
+@each(
     ("text", "said"),
     [
         ("mm", "no finite number"),
@@ -352,9 +352,7 @@ def test_agrees_with_pint(powers):
     assert not dimensionality
 
 
-@pytest.mark.parametrize(
-    "text", ["kg*m**2/s**3", "N/(m*K)", "1/(s*Pa)", "J/kg/K", "N*s/m", "m/s/s", "(kg*m)/(s**2)", "N/m*s"]
-)
+@each("text", ["kg*m**2/s**3", "N/(m*K)", "1/(s*Pa)", "J/kg/K", "N*s/m", "m/s/s", "(kg*m)/(s**2)", "N/m*s"])
 def test_agrees_with_pint_on_division(text):
     base = (1 * PINT.parse_expression(text)).to_base_units()
     ours = parse_unit(text)

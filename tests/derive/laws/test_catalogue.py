@@ -140,7 +140,7 @@ MISTAKES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", MISTAKES)
+@each("name", MISTAKES)
 def test_published_mistake(name):
     law, subexpression, actual, expected, exponent = MISTAKES[name]
     findings = [f for f in audit_law(law) if f.subexpression == subexpression]
@@ -190,7 +190,7 @@ def assert_predicted(rescaled, excess):
                 assert abs(ratio / predicted - 1) < mpf(10) ** -12
 
 
-@pytest.mark.parametrize(
+@each(
     ("name", "what", "excess"),
     [
         ("liu", "normal force", (0, -1, 0, 0, 0)),

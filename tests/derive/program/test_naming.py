@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 import casadi as ca
-import pytest
 import sympy as sp
+from each import each
 
 from hertzwerk.derive import derive
 from hertzwerk.derive.program import naming
@@ -17,7 +17,7 @@ k1, k2 = sp.symbols("k1 k2", real=True)
 long = sp.Symbol("l" * LONGEST, real=True)
 
 
-@pytest.mark.parametrize(
+@each(
     ("expression", "words"),
     [
         (a**2, "a_squared"),
@@ -39,16 +39,14 @@ long = sp.Symbol("l" * LONGEST, real=True)
         (sp.cos(a), "cos_a"),
         (sp.pi / 2, "half_pi"),
     ],
-    ids=str,
 )
 def test_words_say_what_the_expression_is(expression, words):
     assert names_in_words([(k1, expression)], {}, set()) == {"k1": words}
 
 
-@pytest.mark.parametrize(
+@each(
     "expression",
     [a / (b * c), a * (b + c), a**b, a ** sp.Rational(2, 3), 7 * a, 3 + a, a * b - c, sp.sqrt(a * b), long**2, sp.Max(a, b), sp.exp(-1)],
-    ids=str,
 )  # fmt: skip
 def test_steps_without_a_short_clear_name_keep_their_number(expression):
     assert names_in_words([(k1, expression)], {}, set()) == {"k1": "k1"}
@@ -59,7 +57,7 @@ def test_a_name_that_is_taken_is_not_given():
     assert names_in_words([(k1, a**2)], {"x1": "a_squared"}, set())["k1"] == "k1"
 
 
-@pytest.mark.parametrize(
+@each(
     ("first", "then", "words"),
     [
         (a**2, 1 / k1, "inverse_a_squared"),

@@ -8,6 +8,7 @@ from keyword import iskeyword
 import casadi as ca
 import numpy as np
 import pytest
+from each import each
 from kane import chain
 
 import hertzwerk.derive as hd
@@ -139,10 +140,10 @@ def block(name, code, results, inputs="a b c d e f g h"):
 def values(blocks, shared, given):
     """Values of the results of blocks, whose functions and code run as Python."""
     lines = []
-    for each in shared:
-        lines += [f"def {each.name}({', '.join(each.parameters)}):"]
-        lines += [f"    {step.targets[0]} = {step.text({})}" for step in each.steps]
-        lines += [f"    return ({', '.join(each.returns)},)"]
+    for function in shared:
+        lines += [f"def {function.name}({', '.join(function.parameters)}):"]
+        lines += [f"    {step.targets[0]} = {step.text({})}" for step in function.steps]
+        lines += [f"    return ({', '.join(function.returns)},)"]
     scope = {}
     exec("\n".join(lines), scope)
     found = []
@@ -238,7 +239,7 @@ def test_a_leaf_that_needs_the_function_is_cut():
     assert shared and values([one, last], shared, GIVEN) == plain
 
 
-@pytest.mark.parametrize("seed", range(200))
+@each("seed", range(200))
 def test_any_program_keeps_its_values(seed):
     """Parts that follow one recipe once to thrice, with few other steps, and read each other's."""
     draw = random.Random(seed)

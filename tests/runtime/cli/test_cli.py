@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from each import each
 
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.build import built_in_scenes
@@ -377,7 +378,7 @@ BAD = [
 ]
 
 
-@pytest.mark.parametrize(("arguments", "word"), BAD, ids=[" ".join(arguments) for arguments, _ in BAD])
+@each(("arguments", "word"), BAD)
 def test_bad_input_is_one_error_and_nothing_is_written(hertzwerk, arguments, word):
     done = hertzwerk("run", *arguments)
     assert done.exit_code == 2

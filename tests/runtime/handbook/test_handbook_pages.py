@@ -3,6 +3,7 @@
 import re
 
 import pytest
+from each import each
 
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.handbook.page_code import RUN, PageError, blocks, difference, is_long, run_page
@@ -23,7 +24,7 @@ def test_code_runs_as_written(name, tmp_path):
     assert [picture for picture in pictures_of(TEXTS[name]) if not (tmp_path / picture).is_file()] == []
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@each("name", TEXTS)
 def test_every_block_is_of_a_known_language(name):
     """One that is not, a block that nobody closes among them, would not run."""
     fences = re.findall(r"^\s*```(.*)$", TEXTS[name], re.MULTILINE)
@@ -68,7 +69,7 @@ def test_an_error_names_the_line_of_the_page(tmp_path):
     assert raised.traceback[-1].lineno + 1 == 5
 
 
-@pytest.mark.parametrize(
+@each(
     ("shown", "printed", "same"),
     [
         ("error 4e-7", "error 4.3e-07", True),

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import pytest
 import sympy as sp
+from each import each
 
 import hertzwerk.derive as hd
 
@@ -56,7 +57,7 @@ REFUSED = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("label", REFUSED)
+@each("label", REFUSED)
 def test_a_coupling_that_cannot_be_is_refused(label):
     coupling, where, expected = REFUSED[label]
     with pytest.raises(hd.InputError) as caught:

@@ -165,7 +165,7 @@ BAD = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("effect", SOUND, ids=lambda e: f"{type(e).__name__} {e.text}"[:60])
+@each("effect", SOUND)
 def test_unvaried_declarations_are_sound(effect):
     assert effect.text in hd.generate(bench(effect))
 
@@ -208,7 +208,7 @@ WRONG = {  # effect with an expression of a wrong unit, where, the sub-expressio
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("label", WRONG)
+@each("label", WRONG)
 def test_a_wrong_unit_is_found_in_the_smallest_sub_expression(label):
     effect, where, culprit, unit = WRONG[label]
     with pytest.raises(hd.InputError) as caught:

@@ -104,7 +104,7 @@ def refused(make):
     return None
 
 
-@pytest.mark.parametrize("name", DECLARED)
+@each("name", DECLARED)
 def test_every_field_takes_what_it_takes_or_says_so(name):
     record, use = DECLARED[name]
     use(record)

@@ -14,6 +14,7 @@ import casadi as ca
 import numpy as np
 import pytest
 from derived import Derived
+from each import each
 
 from hertzwerk.derive import Friction, generate
 from hertzwerk.derive.program.emit.cost import OF_CURVES, operations
@@ -74,7 +75,7 @@ OF_KINDS = {
 # -- form --------------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each("name", NAMES)
 def test_modules_import_casadi_alone(name):
     tree = ast.parse(committed(name))
     imports = [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom)]
@@ -87,7 +88,7 @@ def test_modules_import_casadi_alone(name):
     assert not any(isinstance(node, ast.For | ast.While | ast.Lambda | ast.Global) for node in ast.walk(tree))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each("name", NAMES)
 def test_modules_hold_no_paths_dates_or_machines(name):
     text = committed(name)
     assert not re.search(r"(?<![\w.])/(home|root|tmp|usr|work|Users|private|var)/|[A-Z]:\\\\", text)
@@ -97,7 +98,7 @@ def test_modules_hold_no_paths_dates_or_machines(name):
     assert not re.search(r"[ \t]+$", text, re.M)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each("name", NAMES)
 def test_the_header_says_source_command_effects_units_and_operations(name):
     text = ast.get_docstring(ast.parse(committed(name)))
     assert f"Generated from derive/scenes/{name}.py" in text
@@ -156,7 +157,7 @@ def shares(n, *_):
     return Column([Counted()] * n)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each("name", NAMES)
 def test_the_operations_of_every_mode_are_those_that_its_functions_do(name):
     """Counted as they are done: those of a flight together, and what each pair adds while it touches."""
     names = {}

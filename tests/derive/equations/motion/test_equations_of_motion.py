@@ -116,7 +116,7 @@ LARGE = {
 
 
 @pytest.mark.by_turns(8)
-@pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow) if n in LARGE else n for n in TREES])
+@pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.exhaustive) if n in LARGE else n for n in TREES])
 def test_accelerations_and_drive_reactions_equal_kanes_method(name):
     assert deviation(TREES[name], derived_of(name)) < 1e-10
 

@@ -4,6 +4,7 @@ import math
 
 import pytest
 import sympy as sp
+from each import each
 
 from hertzwerk.derive.exchange.law_sheets.law_comparison import (
     FORMS,
@@ -28,7 +29,7 @@ KNOWN = {  # N at 0.1, 1, 10 um: E = 207 GPa, nu = 0.3, R1/R2 = 10/9.5 mm, L = 1
 }
 
 
-@pytest.mark.parametrize("law", KNOWN)
+@each("law", KNOWN)
 def test_forces_are_those_known(law):
     assert force_curve(law, DEPTHS, CLEARANCES).forces == pytest.approx(KNOWN[law], rel=2e-5)
 
@@ -49,7 +50,7 @@ def test_beyond_its_reach_and_without_a_real_value_a_law_has_no_force():
 OTHERS = ("bai_zhao", "liu", "goldsmith", "pereira_internal", "persson", "radzimovsky")
 
 
-@pytest.mark.parametrize("law", [*KNOWN, *OTHERS])
+@each("law", [*KNOWN, *OTHERS])
 def test_millimetres_change_the_force_of_inconsistent_laws_alone(law):
     """Pereira's as published is right in mm, N and MPa, and has no value in SI."""
     curve = force_curve(law, DEPTHS, CLEARANCES)
@@ -72,7 +73,7 @@ def test_units_are_found_as_the_formula_has_them():
         force_curve("flores", DEPTHS, CLEARANCES)
 
 
-@pytest.mark.parametrize(("n", "unit"), [(1, "N/m^0.5"), (1.1, "N/m^0.4"), (1.5, "N"), (2, "N m^0.5")])
+@each(("n", "unit"), [(1, "N/m^0.5"), (1.1, "N/m^0.4"), (1.5, "N"), (2, "N m^0.5")])
 def test_the_unit_of_another_exponent(n, unit):
     actual = exponent_unit(n)
     assert (actual.unit, actual.consistent) == (unit, n == 1.5)

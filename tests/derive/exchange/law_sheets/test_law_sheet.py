@@ -49,7 +49,7 @@ def test_forces_of_an_inconsistent_law_are_not_shown(sheets):
         assert a.force == pytest.approx(b.force, rel=1e-12)
 
 
-@pytest.mark.parametrize("name", [name for name, law in STIFFNESS.items() if law.verdict == "consistent"])
+@each("name", [name for name, law in STIFFNESS.items() if law.verdict == "consistent"])
 def test_local_exponent_is_the_slope_in_a_log_log_plot(sheets, name):
     """By a difference quotient of the forces, against the derivative on the sheet."""
     law = STIFFNESS[name]
@@ -82,7 +82,7 @@ def test_exponents_of_the_models_named_after_the_paper(sheets):
     assert sheets["galin_sneddon"].local_exponent == "(k + 1)/k"
 
 
-@pytest.mark.parametrize("name", DAMPING)
+@each("name", DAMPING)
 def test_limits_are_what_is_approached(name):
     """Towards e = 0 and e = 1 what is returned comes ever closer to the limit stated."""
     law, limits = DAMPING[name], restitution_limits(DAMPING[name])

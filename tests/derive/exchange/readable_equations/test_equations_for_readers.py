@@ -126,7 +126,6 @@ IN_CI = (
     "journal_lubricated",
     "ball_in_socket",
     "spatial_slider_crank",
-    "tumbling",
     "coulomb",
     "lugre",
 )

@@ -121,11 +121,7 @@ REPAIRED = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("expression", "unit", "subexpression", "found", "exponent", "repair"),
-    REPAIRED,
-    ids=[str(row[0])[:60] for row in REPAIRED],
-)
+@each(("expression", "unit", "subexpression", "found", "exponent", "repair"), REPAIRED)
 def test_repair(expression, unit, subexpression, found, exponent, repair):
     fault = check(expression, TABLE, dim(unit), CONSTANTS)
     assert fault is not None
@@ -134,7 +130,7 @@ def test_repair(expression, unit, subexpression, found, exponent, repair):
     assert fault.consistent_exponent == exponent
 
 
-@pytest.mark.parametrize("row", [row for row in REPAIRED if row[4] is not None], ids=lambda row: str(row[0])[:60])
+@each("row", [row for row in REPAIRED if row[4] is not None])
 def test_repaired_expression_is_consistent(row):
     """The exponent named, put in the place the sentence names, gives the expected dimension; a neighbour does not."""
     _, unit, _, _, exponent, repair = row
@@ -146,7 +142,7 @@ def test_repaired_expression_is_consistent(row):
     assert dimension_of(named.subs(name, exponent + Rational(1, 2)), at) != dim(unit)
 
 
-@pytest.mark.parametrize("mixed", [x + 1, 1 + theta + t, Min(F, mu), Where(d > 0, 1, x), sp.Matrix([1, x])], ids=str)
+@each("mixed", [x + 1, 1 + theta + t, Min(F, mu), Where(d > 0, 1, x), sp.Matrix([1, x])])
 def test_of_two_the_number_is_the_odd_one(mixed):
     """A number beside a length is more often a hidden unit than the length is a mistake."""
     with pytest.raises(DimensionError) as raised:
@@ -154,7 +150,7 @@ def test_of_two_the_number_is_the_odd_one(mixed):
     assert (raised.value.fault.found == "1") == (mixed != 1 + theta + t)  # there the numbers are the majority
 
 
-@pytest.mark.parametrize("root", [R, L, z, b_w, dR, lam], ids=str)
+@each("root", [R, L, z, b_w, dR, lam])
 def test_the_bare_symbol_is_offered_an_exponent_first(root):
     """E*sqrt(R)*d: R**1 would do as well, but the factor without an exponent is the one that lacks it."""
     for product in (E * sqrt(root) * d, written(sqrt(root), d, E), written(E, d, sqrt(root))):
@@ -222,7 +218,7 @@ def test_a_spline_has_the_unit_of_its_values_over_that_of_its_arguments():
     assert (fault.subexpression, fault.found, fault.expected) == ("m*lift'(t)", "N s", "N")
 
 
-@pytest.mark.parametrize("function", FUNCTIONS_OF_NUMBERS, ids=lambda f: f.__name__)
+@each("function", FUNCTIONS_OF_NUMBERS)
 def test_functions_of_numbers(function):
     assert dimension_of(function(x / y), TABLE) == ONE
     with pytest.raises(DimensionError, match="dimensionless argument"):

@@ -4,6 +4,7 @@ from importlib import import_module
 
 import pytest
 import sympy as sp
+from each import each
 
 from hertzwerk.derive import GROUND, Body, JointForce, Mechanism, Parameter, Prismatic, Scales, Scene, T, X
 from hertzwerk.derive.audit.audit import advice_findings, audit_law
@@ -31,7 +32,7 @@ FINE = ("cos(2*pi*f*t)", "cos(6.2832*f*t)", "cos(2*3.1416*f*t)", "J*(2*pi*f)**2"
         "exp(-f*t)*cos(w*t)", "c*f", "m*f*x", "sqrt(w**2 - f**2)", "f**2", "x*f**p", "cos(exp(-f*t))", "cos(t*sqrt(k/m))")  # fmt: skip
 
 
-@pytest.mark.parametrize("text", DOUBTED)
+@each("text", DOUBTED)
 def test_a_frequency_that_may_lack_two_pi_is_doubted(text):
     finding = audit_expression(text, UNITS)
     (name,) = {"f", "h"} & set(text)
@@ -42,7 +43,7 @@ def test_a_frequency_that_may_lack_two_pi_is_doubted(text):
     )
 
 
-@pytest.mark.parametrize("text", FINE)
+@each("text", FINE)
 def test_a_frequency_with_two_pi_or_of_no_rotation_is_not_doubted(text):
     finding = audit_expression(text, UNITS)
     assert (finding.sound, finding.advice) == (True, "")

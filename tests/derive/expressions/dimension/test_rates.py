@@ -22,7 +22,7 @@ def test_of_two_rates_one_is_mistaken_where_it_alone_counts_an_angle(one, other)
     assert parse_unit(one).mistaken_for(parse_unit(other)) == ((one in ANGULAR) != (other in ANGULAR))
 
 
-@pytest.mark.parametrize(
+@each(
     ("one", "other"),
     [
         ("1", "rad"),
@@ -49,7 +49,7 @@ def crank():
     return load("slider_crank")
 
 
-@pytest.mark.parametrize("text", ["5000 1/min", "83.333333333333333 1/s", "0.083333333333333333 1/ms"])
+@each("text", ["5000 1/min", "83.333333333333333 1/s", "0.083333333333333333 1/ms"])
 def test_a_frequency_for_the_speed_of_a_crank_offers_both_readings(crank, text):
     """5000 turns a minute are 5000 rpm; 5000 radians a minute, as the number was read before, 83.3 rad/s."""
     with pytest.raises(hd.InputError) as caught:
@@ -60,9 +60,7 @@ def test_a_frequency_for_the_speed_of_a_crank_offers_both_readings(crank, text):
     assert '"5000 rpm" where it counts turns, "83.3333 rad/s" where it counts radians' in fault.remedy
 
 
-@pytest.mark.parametrize(
-    "text", ["5000 rpm", "30000 deg/s", f"{5000 * math.pi / 30!r} rad/s", "83.333333333333333 rev/s"]
-)
+@each("text", ["5000 rpm", "30000 deg/s", f"{5000 * math.pi / 30!r} rad/s", "83.333333333333333 rev/s"])
 def test_angular_speeds_are_taken(crank, text):
     assert crank.bind({"crank_speed": text})["crank_speed"] == pytest.approx(5000 * math.pi / 30, rel=1e-15)
 

@@ -111,7 +111,7 @@ def test_the_comparison_would_notice_a_missing_parenthesis():
 # -- strength reduction ------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
+@each(
     ("expression", "text"),
     [
         (x**2, "x*x"),
@@ -130,7 +130,7 @@ def test_powers_are_reduced_to_products_and_roots(expression, text):
     assert expression_text(expression) == text
 
 
-@pytest.mark.parametrize("exponent", [2, 3, "1/2", "3/2", "5/2", "-1/2", "-3/2", -1, -2])
+@each("exponent", [2, 3, "1/2", "3/2", "5/2", "-1/2", "-3/2", -1, -2])
 def test_no_general_power_of_a_name_where_a_cheaper_form_exists(exponent):
     assert "**" not in expression_text(y * x ** sp.Rational(exponent))
 
@@ -157,15 +157,11 @@ def parsed_operations(node):
     return inside + isinstance(node, ast.BinOp | ast.Compare)
 
 
-@pytest.mark.parametrize(
-    "expression",
-    [
+@each("expression", [
         -x, -2 * x, -(x + y) * n, 1e-5 * x - 3e20 * y, x - 1e-7, 2 - x, x / 3 - y / (x * n), -(2**n), 3 * 2**-n, -(x**2) - y**n, x**-2.5,
         sp.sqrt(x) * x**4, -sp.sin(-x) + sp.cos(x - y) ** 2, sp.Max(x, -y, 3), sp.Rational(-2, 3) * x, x * sp.Rational(5, 7),
         Where(x > y + 1, -x, y), Where(sp.Le(x, -1), x, -2), sp.atan2(-y, x), sp.exp(-x / y),
-    ],
-    ids=str,
-)  # fmt: skip
+    ])  # fmt: skip
 def test_operations_are_those_that_python_parses(expression):
     text = expression_text(expression)
     assert operations(text) == parsed_operations(ast.parse(text)) > 0
@@ -181,14 +177,10 @@ def test_operations_of_a_module_are_those_that_python_parses():
 # -- what is not known -------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    "node",
-    [
+@each("node", [
         sp.Function("mystery")(x), sp.besselj(0, x), sp.Heaviside(x), sp.Piecewise((x, x > 0), (y, True)), sp.Derivative(sp.Function("f")(x), x),
         sp.Integral(sp.Function("f")(x), x), sp.I * x, sp.zoo, sp.oo, sp.nan, sp.erf(x), sp.LambertW(x), sp.LambertW(x, 2), sp.Eq(x, y),
-    ],
-    ids=str,
-)  # fmt: skip
+    ])  # fmt: skip
 def test_a_node_without_a_rule_is_an_error(node):
     with pytest.raises(EmitError):
         expression_text(node)
@@ -339,7 +331,7 @@ def test_long_returns_are_wrapped_and_still_python():
         assert max(map(len, text.split("\n\n\ndef ", 1)[1].splitlines())) < 200
 
 
-@pytest.mark.parametrize("scale", [1e-6, 1e-3, 0.1, 0.4, 0.6, 0.9, 0.999, 1.0])
+@each("scale", [1e-6, 1e-3, 0.1, 0.4, 0.6, 0.9, 0.999, 1.0])
 def test_the_lower_branch_of_lamberts_w(scale):
     """A damping factor -W_-1(-e/exp(1)) comes out as mpmath has it; near the branch point only half the digits exist."""
     law = replace(flores, name="lambert", factor=-sp.LambertW(-e * sp.exp(-1), -1))

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import pytest
+from each import each
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import read_impacts, read_measurement
@@ -227,7 +228,7 @@ def written(folder, file):
     return path
 
 
-@pytest.mark.parametrize("name", FILES)
+@each("name", FILES)
 def test_a_file_is_read_right_or_refused(tmp_path, name):
     file = FILES[name]
     if isinstance(file.expected, str):
@@ -315,7 +316,7 @@ def test_arrays_and_data_frames_are_taken():
     assert impacts.numbers.tolist() == [1, 2, 4]
 
 
-@pytest.mark.parametrize(
+@each(
     ("data", "expected"),
     [
         ({"t [s]": np.array(["2026-11-27", "2026-11-28"], "datetime64[s]"), "x [m]": [1, 2]}, "t: found datetime64"),

@@ -5,6 +5,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 import pytest
+from each import each
 
 from hertzwerk.runtime.engine.model.direct_sx import DirectSX, direct
 from hertzwerk.runtime.loading import engine_model
@@ -33,8 +34,8 @@ OPERATIONS = {
 }
 
 
-@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
-@pytest.mark.parametrize("right", [2.5, 3, np.float64(1.5), "scalar", "vector", ca.DM([1, 2, 3])], ids=str)
+@each("operation", OPERATIONS.values())
+@each("right", [2.5, 3, np.float64(1.5), "scalar", "vector", ca.DM([1, 2, 3])])
 def test_the_nodes_are_those_of_casadi_on_both_sides(operation: Any, right: Any) -> None:
     x, y = ca.SX.sym("x"), ca.SX.sym("y", 3 if right == "vector" else 1) if isinstance(right, str) else right
     inputs = ca.symvar(ca.veccat(ca.SX(x), ca.SX(y)))

@@ -6,6 +6,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from each import each
 
 from hertzwerk import InputError, simulate
 from hertzwerk.derive import GROUND, Body, Mechanism, Parameter, Prismatic, Scales, Scene, Y, generate
@@ -35,7 +36,7 @@ def imported(path):
     return module
 
 
-@pytest.mark.parametrize("name", generated_names())
+@each("name", generated_names())
 def test_every_module_states_its_format_and_all_tables(name):
     module = engine_model(name).module
     assert module.FORMAT == FORMAT

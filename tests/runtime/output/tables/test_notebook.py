@@ -3,8 +3,8 @@
 from dataclasses import replace
 from html.parser import HTMLParser
 
-import pytest
 import sympy as sp
+from each import each
 
 from hertzwerk.derive import LAWS, Parameter, audit_catalogue, audit_scene, laws
 from hertzwerk.runtime import Solution, load, simulate
@@ -88,7 +88,7 @@ def test_a_model_shows_its_start_and_its_parameters():
     assert {*model.parameters, *(name for name, _, _ in model.engine.module.EFFECTS)} < set(page.texts)
 
 
-@pytest.mark.parametrize("name", LAWS)
+@each("name", LAWS)
 def test_every_law_shows_formulas_symbols_and_source(name):
     page = Cells(LAWS[name]._repr_html_())
     assert not page.open

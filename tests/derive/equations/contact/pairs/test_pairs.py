@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from derived import Derived, rate_along
+from each import each
 from kane import Tree, driven, random_tree
 from touching import MU, V0, Touching
 
@@ -294,7 +295,7 @@ BAD = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("label", BAD)
+@each("label", BAD)
 def test_a_bad_pair_is_refused(label):
     declare, message = BAD[label]
     assert message in faults(declare())
