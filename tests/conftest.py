@@ -10,7 +10,7 @@ import pytest
 from hypothesis import settings
 from turns import take_turns
 
-settings.register_profile("hertzwerk", deadline=None, max_examples=50)  # a deadline would measure the machine's load
+settings.register_profile("hertzwerk", deadline=None, max_examples=30)  # a deadline would measure the machine's load
 settings.load_profile("hertzwerk")
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as a shell leaves it to what it runs in the background

@@ -6,6 +6,8 @@ from benchmarks.honesty import METHODS, Case, honesty, random_motions, scene
 
 from hertzwerk.runtime.engine.accuracy import error_estimate as accuracy
 
+pytestmark = pytest.mark.exhaustive
+
 
 def within(cases):
     return np.mean([0.1 <= case.ratio <= 10 for case in cases if case.what == "finished"])
@@ -16,7 +18,6 @@ def cases(methods=METHODS):
     return [motion.measured(method, a) for motion in motions for method in methods for a in asked]
 
 
-@pytest.mark.exhaustive
 def test_every_method_is_honest(monkeypatch):
     found = cases()
     assert np.mean([case.what == "finished" for case in found]) >= 0.8
@@ -27,7 +28,6 @@ def test_every_method_is_honest(monkeypatch):
     assert within(cases(METHODS[:2])) < 0.95
 
 
-@pytest.mark.exhaustive
 def test_requests_of_random_mechanisms_hold_for_the_whole_run():
     asked = (1e-3, 1e-5, 1e-7, 1e-9)
     found = [motion.measured(method, a) for motion in random_motions(60) for method in METHODS[:2] for a in asked]

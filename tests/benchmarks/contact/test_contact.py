@@ -15,6 +15,7 @@ from benchmarks.contact.problems.chains import chain
 from benchmarks.contact.problems.loops import END, four_bars, relative
 from benchmarks.contact.problems.sweeps import sweep
 
+pytestmark = pytest.mark.exhaustive
 ROW = {"peer": "A", "outcome": "finished", "integrator": "one"}
 
 
@@ -120,7 +121,7 @@ def test_the_equations_of_the_crank_are_those_of_the_digits(name):
 @pytest.mark.parametrize(
     ("name", "integrator", "limit"),
     [
-        pytest.param("cpp_by_hand", "dop853", 1e-10, marks=pytest.mark.exhaustive),  # its compilation takes long
+        ("cpp_by_hand", "dop853", 1e-10),
         ("cvode_from_c", "adams newton", 1e-8),
         ("cvode_from_c", "bdf newton", 1e-8),
     ],
@@ -193,7 +194,3 @@ def test_the_cheapest_setting_meets_the_error_with_all_tighter_ones(errors, expe
 def test_a_peer_that_reports_no_impacts_meets_no_error_of_them():
     rows = [{**ROW, "setting": "1e-6", "error": 0.0, "impact_error": "nan", "seconds": 1}]
     assert report.best(rows, 1e-3) and report.best(rows, 1e-3, column="impact_error") is None
-
-
-def test_the_page_is_that_of_the_results():
-    assert report.PAGE.read_text("utf-8") == report.page()

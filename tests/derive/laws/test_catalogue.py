@@ -63,7 +63,7 @@ def test_names_do_not_collide_within_a_law():
 # -- the audit of every law --------------------------------------------------------------------------------------------
 
 
-@pytest.mark.by_turns(3)
+@pytest.mark.by_turns(6)
 @pytest.mark.parametrize("name", CONSISTENT)
 def test_a_consistent_law_is_refused_with_another_unit(name):
     """The audit can fail: with the unit of one symbol multiplied by a length, no law passes."""

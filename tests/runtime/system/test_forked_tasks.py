@@ -71,5 +71,5 @@ def test_no_tasks_are_nothing():
 def test_the_first_task_is_done_here(monkeypatch):
     """Its stage is shown on the terminal, which other processes have not."""
     monkeypatch.setattr(module, "cores", lambda: 3)
-    for _ in range(20):
+    for _ in range(5):
         assert side_by_side([os.getpid] * 3)[0] == os.getpid()

@@ -303,8 +303,8 @@ def _fuzz(count: int, seed: int) -> tuple[int, int]:
 
 def test_random_texts_are_read_or_refused(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    accepted, most = _fuzz(5_000, 1)
-    assert accepted > 300  # the pieces do make good texts
+    accepted, most = _fuzz(2_500, 1)
+    assert accepted > 150  # the pieces do make good texts
     assert most < 600_000  # 57,000 measured
     assert not list(tmp_path.iterdir())
 

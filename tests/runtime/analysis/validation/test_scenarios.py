@@ -125,7 +125,10 @@ FAULTS = {
 
 @pytest.mark.by_turns(5)
 @pytest.mark.slow
-@pytest.mark.parametrize("name", scenarios.names())
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(n, marks=[pytest.mark.exhaustive] * (n in (*LONG, "spheres_in_box"))) for n in scenarios.names()],
+)
 def test_a_parameter_that_is_off_by_a_hundredth_fails_a_check(name):
     given, quantity, duration = FAULTS[name]
     parameter, _, value = given.partition(" = ")

@@ -233,7 +233,10 @@ def worst_reaction(name, model):
 @pytest.mark.parametrize(
     "name",
     [
-        pytest.param(name, marks=[pytest.mark.exhaustive] * (name in ("ball_bearing", "gears_with_backlash")))
+        pytest.param(
+            name,
+            marks=[pytest.mark.exhaustive] * (name in ("ball_bearing", "gears_with_backlash", "worn_slider_crank")),
+        )
         for name in sorted(set(NAMES) - set(REDUNDANT))
     ],
 )

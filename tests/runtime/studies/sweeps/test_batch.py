@@ -48,13 +48,6 @@ def test_rows_are_the_single_runs_bitwise_in_order(ball, workers, compiled):
     assert np.all(np.diff(sweep["peak_force"]) < 0)
 
 
-def test_compiled_rows_are_the_same(ball):
-    sets = [{"drop_height": height} for height in HEIGHTS[:3]]
-    machine, native = (simulate_many(ball, sets, compiled=compiled, **SETTINGS) for compiled in (False, True))
-    assert (machine.compiled, native.compiled) == (False, True)
-    assert [row.final for row in machine] == [row.final for row in native]
-
-
 @pytest.mark.parametrize("workers", [1, 2])
 def test_failures_are_rows(ball, workers):
     sets = [{"mass": "-1 kg", "mas": 1}, {}, {"mass": "1 m"}, {"vertical.speed": "-1 m/s"}, {"vertical.speed": 1.0}]
@@ -88,17 +81,6 @@ def test_outputs_are_columns_and_one_that_raises_is_a_row(ball, workers):
     assert sweep["second"][0] > 0
     assert sweep.rows[1].outcome == "bad_output"
     assert "IndexError" in sweep.rows[1].message
-
-
-def test_a_process_that_dies_is_a_row(ball):
-    def die(run):
-        os._exit(3)
-
-    sweep = simulate_many(
-        ball, [{}, {}, {}], duration="1 s", compiled=False, workers=2, functions={"x": die}, tolerance=1e-6
-    )
-    assert set(sweep["outcome"]) == {"lost"}
-    assert len(sweep) == 3
 
 
 @pytest.mark.parametrize("workers", [1, 2])

@@ -146,7 +146,7 @@ def alive(table):
     """Largest number of rows alive in a pass over a table."""
     most = 0
     for i, _ in enumerate(table):
-        if i % 50 == 0:
+        if i % 100 == 0:
             most = max(most, sum(isinstance(each, Row) for each in gc.get_objects()))
     return most
 

@@ -90,6 +90,7 @@ def diagonal(space):
     )
 
 
+@pytest.mark.by_turns(5)
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-8, 1e-10, 1e-12])
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("space", [False, True])
@@ -113,6 +114,7 @@ def beside_wall():
     return load(ball_beside_wall())
 
 
+@pytest.mark.by_turns(5)
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-8, 1e-10, 1e-11, 1e-12])
 @pytest.mark.parametrize("method", METHODS)
 def test_a_step_moved_to_lift_off_passes_no_onset(method, tolerance):
