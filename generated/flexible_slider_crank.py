@@ -15,7 +15,7 @@ NAME = "flexible_slider_crank"
 SOURCE = "derive/scenes/flexible_slider_crank.py"
 SUMMARY = "slider-crank whose coupler bends"
 FORMAT = "hertzwerk module 1"
-DIGEST = "4f742e174441019a3a020b3b568a8a06"
+DIGEST = "03c63e4a4938eb58e467b5ad33320fa0"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
@@ -137,9 +137,9 @@ def constants(p):
     x5 = inverse_coupler_length_to_the_4*youngs_modulus/density
     x6 = 1/ca.sqrt(x5)
     x7 = ca.fabs(coupler_width)
-    k11 = 1.6449340668482266*inverse_coupler_length_cubed*coupler_width_to_the_4*sqrt_3*x6*damping_ratio*youngs_modulus/x7
-    k12 = 6.5797362673929065*inverse_coupler_length_cubed*coupler_width_to_the_4*sqrt_3*x6*damping_ratio*youngs_modulus/x7
-    k13 = 14.804406601634039*inverse_coupler_length_cubed*coupler_width_to_the_4*sqrt_3*x6*damping_ratio*youngs_modulus/x7
+    k11 = 1.6449340668482262*inverse_coupler_length_cubed*coupler_width_to_the_4*sqrt_3*x6*damping_ratio*youngs_modulus/x7
+    k12 = 6.579736267392905*inverse_coupler_length_cubed*coupler_width_to_the_4*sqrt_3*x6*damping_ratio*youngs_modulus/x7
+    k13 = 14.804406601634037*inverse_coupler_length_cubed*coupler_width_to_the_4*sqrt_3*x6*damping_ratio*youngs_modulus/x7
     coupler_width_squared = coupler_width*coupler_width
     k14 = 8.137739934967371*coupler_width_squared*density
     k15 = 8.091826623311581*coupler_width_squared*density

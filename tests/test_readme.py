@@ -214,6 +214,7 @@ DECLARATION = pages("howto/model", "howto/contact", "reference")
 @each("kind", [kind for kind in DECLARED if kind.__name__ not in INNER])
 def test_every_record_stands_there_with_its_signature(kind):
     assert f"`{written(kind)}`" in DECLARATION
+    assert TEXTS[f"{HANDBOOK}/reference/effects.md"].count(f"\n| `{kind.__name__}(") <= 1  # none of an older signature
 
 
 def test_every_public_name_is_explained():

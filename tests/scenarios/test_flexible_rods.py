@@ -67,8 +67,9 @@ def test_frequencies_are_those_of_euler_and_bernoulli(ends, by, roots, coordinat
     assert np.allclose(2 * np.pi * np.array(found), PACE * np.square(roots), rtol=1e-9)
 
 
-def test_each_eigenfunction_has_the_damping_ratio():
-    beam = rod(modes=3, damping_ratio=Parameter("damping", "1", 0.02))
+@pytest.mark.parametrize("options", [{"modes": 3}, {"modes": 1, "cubics": True, "ends": ("clamped", "clamped")}])
+def test_each_mode_has_the_damping_ratio(options):
+    beam = rod(**options, damping_ratio=Parameter("damping", "1", 0.02))
     found = modes(load(scene(held(beam, "clamped"))))
     assert [mode.damping_ratio for mode in found] == pytest.approx([0.02] * 3, rel=1e-6)
 

@@ -31,16 +31,15 @@ Rows = tuple[Numbers, ...]
 class BendingShapes:
     """Eigenfunctions of a rod with these ends, after the two cubics of a loaded end where there are any.
 
-    roots  beta L of each; of a cubic that of the first eigenfunction
+    roots  beta L of each eigenfunction
     """
 
     def __init__(self, ends: tuple[str, str], count: int, cubics: bool) -> None:
         with mp.workdps(DIGITS):
-            roots = [_root(*ends, k) for k in range(1, max(count, 1) + 1)]
-            self._shapes = [_eigenfunction(*ends, root) for root in roots[:count]]
+            self.roots = [_root(*ends, k) for k in range(1, count + 1)]
+            self._shapes = [_eigenfunction(*ends, root) for root in self.roots]
             if cubics:  # a unit deflection of the end without slope, then a unit slope without deflection
                 self._shapes = [_polynomial(0, 0, 3, -2), _polynomial(0, 0, -1, 1), *self._shapes]
-            self.roots = [float(root) for root in roots[:1] * (2 * cubics) + roots[:count]]
             self._samples = [(x, w, [[of(x, k) for of in self._shapes] for k in range(3)]) for x, w in _nodes()]
         self._range = range(len(self._shapes))
 
@@ -57,11 +56,26 @@ class BendingShapes:
     def products(self, order: int, factor: Callable[[Any], Any] = lambda x: 1) -> Rows:
         """Integrals of a factor times the products of two shapes' derivatives: a symmetric matrix."""
         with mp.workdps(DIGITS):
-            weights = [(w * factor(x), at[order]) for x, w, at in self._samples]
-            lower = [
-                [_number(mp.fsum(w * at[i] * at[j] for w, at in weights)) for j in range(i + 1)] for i in self._range
-            ]
-        return tuple(tuple(lower[max(i, j)][min(i, j)] for j in self._range) for i in self._range)
+            return _rows(self._products(order, factor))
+
+    def damping(self) -> Rows:
+        """Half the damping matrix of ratio 1, by sqrt(E I m/L^3): a symmetric matrix D.
+
+        Without cubics each eigenfunction has the ratio. With them each mode of a rod that is clamped at its start alone has
+        it: D is the geometric mean of the matrices M of mass and K of stiffness, D M^-1 D = K.
+        """
+        with mp.workdps(DIGITS):
+            mass, stiff = self._products(0), self._products(2)
+            if len(self.roots) < len(self._range):
+                lower = mp.cholesky(mass)
+                squares, modes = mp.eigsy(lower**-1 * stiff * lower.T**-1)
+                return _rows(lower * modes * mp.diag([mp.sqrt(square) for square in squares]) * modes.T * lower.T)
+            scale = mp.diag([1 / root for root in self.roots])
+            return _rows(scale * stiff * scale)
+
+    def _products(self, order: int, factor: Callable[[Any], Any] = lambda x: 1) -> Any:
+        weights = [(w * factor(x), at[order]) for x, w, at in self._samples]
+        return mp.matrix([[mp.fsum(w * at[i] * at[j] for w, at in weights) for j in self._range] for i in self._range])
 
 
 @lru_cache
@@ -120,6 +134,10 @@ def _polynomial(*coefficients: int) -> Shape:
 def _nodes() -> list[tuple[Any, Any]]:
     """Nodes and weights of Gauss and Legendre on (0, 1)."""
     return [*GaussLegendre(mp).get_nodes(mp.zero, mp.one, DEGREE, mp.prec)]
+
+
+def _rows(matrix: Any) -> Rows:
+    return tuple(tuple(map(_number, row)) for row in matrix.tolist())
 
 
 def _number(value: Any) -> Any:

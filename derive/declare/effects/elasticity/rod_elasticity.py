@@ -17,8 +17,8 @@ from hertzwerk.derive.expressions.algebra.vectors import product, total
 class RodElasticity(Effect):
     """Elasticity and damping of a flexible rod, which a scene adds for each.
 
-    The strain energy is q.K q/2, K = E I/L^3 times the integral of psi_i'' psi_j''. Damping forces are -D q', with D_ij =
-    2 zeta K_ij/sqrt(omega_i omega_j) and omega_i = (beta_i L)^2 sqrt(E I/(m L^3)): that of an eigenfunction is its ratio zeta.
+    The strain energy is q.K q/2, K = E I/L^3 times the integral of psi_i'' psi_j''. Damping forces are -D q' with D =
+    2 zeta sqrt(E I m/L^3) times the matrix of `BendingShapes.damping`.
     """
 
     name: str
@@ -35,7 +35,7 @@ class RodElasticity(Effect):
         rod, (freedom,), shapes = self.rod, self.rod.freedoms, self.rod.shapes
         coordinates, speeds = kin.motion_of_freedom(freedom)
         count, length = len(coordinates) // len(rod.stiffnesses), sp.sympify(rod.length)
-        curvature = shapes.products(2)
+        curvature, damping = shapes.products(2), shapes.damping()
         ratio, stored, dissipated = sp.sympify(rod.damping_ratio), sp.S.Zero, sp.S.Zero
         forces: dict[str, Any] = {}
         for d, stiffness in enumerate(rod.stiffnesses):
@@ -44,12 +44,7 @@ class RodElasticity(Effect):
             unit = stiffness / length**3
             pace = 2 * ratio * unit / sp.sqrt(stiffness / (rod.mass * length**3))
             bent = [self._named(kin, unit, row, q, "bent") for row in curvature]
-            damped = [
-                self._named(
-                    kin, pace, [k / (one * other) for k, other in zip(row, shapes.roots, strict=True)], u, "damped"
-                )
-                for row, one in zip(curvature, shapes.roots, strict=True)
-            ]
+            damped = [self._named(kin, pace, row, u, "damped") for row in damping]
             forces |= {row.name: -elastic - drag for row, elastic, drag in zip(rows, bent, damped, strict=True)}
             stored += total(*map(product, q, bent)) / 2
             dissipated += total(*map(product, u, damped))

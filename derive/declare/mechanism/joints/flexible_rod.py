@@ -34,7 +34,7 @@ class FlexibleRod(Joint):
     modes             number of eigenfunctions in each direction, of a uniform rod with these
     ends              conditions of start and end: "clamped", "pinned" or "free"
     cubics            whether two cubics come before them: forces and moments at the end then bend it exactly
-    damping_ratio     of each eigenfunction at its frequency [1]
+    damping_ratio     of each eigenfunction at its frequency, with cubics of each mode of the rod clamped at its start [1]
     section_modulus   I/c [m^3], by which the bending stress is c M/I
     stations          percentages of the length at which deflection, moment and stress are histories
     twist_inertia     inertia about its own axis [kg m^2]; it does not twist
