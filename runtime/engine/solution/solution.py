@@ -34,6 +34,7 @@ from hertzwerk.runtime.engine.solution.step_warnings import (
     left_law,
     lost_grip,
     validity,
+    wide_sectors,
 )
 from hertzwerk.runtime.system.atomic_files import write_atomically
 from hertzwerk.runtime.system.lazy import cached_property
@@ -100,7 +101,7 @@ class EngineRun:
     def warnings(self) -> tuple[str, ...]:
         """Warnings found in the steps, now that they are read, and known ones."""
         left = left_law(self.model, self.findings.lasting, self.ends)
-        of_rows = (*bent_rods(self.model, self.history), *lost_grip(self.model, self.history))
+        of_rows = [warning for of in (bent_rods, lost_grip, wide_sectors) for warning in of(self.model, self.history)]
         return (*beyond_theory(self.validity), *left, *of_rows, *self.known_warnings)
 
     @cached_property

@@ -21,6 +21,8 @@ from hertzwerk.runtime.engine.solution.history import History, constraint_force
 from hertzwerk.runtime.engine.solution.impacts import Impact
 
 STRAIGHT = 0.02  # deflection of a rod over its length: from there on its truncated mass matrix may lose definiteness
+SECTORS = 5  # of a wear, times the half-width of the contact over the radius: their shares spread it about as Hertz's pressure does
+ROUNDS = 12  # iterations of that half-width, each of which leaves a third of its error
 SMALL = 0.01  # share of a dissipation below which a number says no more
 START = 1e-9  # share of a run within which a contact began at its start
 
@@ -212,6 +214,32 @@ def bent_rods(model: EngineModel, history: History) -> Iterator[str]:
             yield (
                 f"rod {rod} bends by {most:.2g} of its length, and its equations, of second order in that, hold up to about {STRAIGHT}; "
                 "take two rods in a row, which share it"
+            )
+
+
+def wide_sectors(model: EngineModel, history: History) -> Iterator[str]:
+    """Yield a warning of each wear whose sectors are wider than its arc of contact, at the kept times.
+
+    That is a mean by the force integrated over the sliding distance; its half-width follows from the penetration as in `_limits`.
+    """
+    for wear, kind, text in model.module.EFFECTS if history.p is not None else ():
+        pair, states = text.rpartition(" at ")[2], (f"{wear}.pin_", f"{wear}.bush_")
+        count = max([int(name.rpartition("_")[2]) for name in model.coordinates if name.startswith(states)], default=0)
+        touching = history[f"{pair}.penetration"][1:] > 0 if kind == "wear" and count else np.zeros(0, bool)
+        if not touching.any():
+            continue
+        marks = zip(model.module.LANDMARKS, model.landmarks(history.p), strict=True)
+        inner, outer = (float(at[3]) for row, at in marks if row[0] == pair and row[4][:1] == ("radius",))
+        depth, weights = history[f"{pair}.penetration"][1:][touching], np.diff(history[f"{wear}.load_path"])[touching]
+        product = inner * outer  # relative curvature times the difference of the radii
+        square = np.full(len(depth), inner**2)
+        for _ in range(ROUNDS):
+            square = np.minimum(4 * depth * product / (outer - inner) / (np.log(16 * product / square) - 1), inner**2)
+        arc = float(np.sqrt(square) @ weights / weights.sum()) / outer if weights.any() else math.pi
+        if arc < math.pi / count:
+            yield (
+                f"wear {wear} is spread further than its contact: the arc of contact is {2 * arc:.2g} rad on average, and each of {count} sectors "
+                f"{2 * math.pi / count:.2g} rad wide; take sectors={2 ** round(math.log2(SECTORS / arc))}"
             )
 
 

@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 import sympy as sp
 from each import each
+from scipy.optimize import brentq
 from worn import (
     ACCELERATION,
+    BUSH,
     CHECKS,
     CLEARANCE,
     DOWN,
@@ -108,6 +110,29 @@ def test_doubled_sectors_leave_a_quarter_of_the_error():
         errors.append(abs(found / exact - 1))
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.1)
     assert errors[1] == pytest.approx(6 / 16**2, rel=0.02)  # half the variance of the kernel, 12/n^2
+
+
+def test_sectors_wider_than_the_contact_are_reported():
+    """By its half-width in the approach of a pin to the axis of its bush, Johnson (1985), section 5.6; not where they are narrower."""
+    model, found = load(journal(None, RATE)), []
+    for weight in (2 * M * G, 0.04):
+        light = {
+            "g": (weight / (2 * M), "m/s^2"),
+            "low": (-CLEARANCE - weight / STIFFNESS, "m"),
+            "repetitions": (1, "1"),
+        }
+        options = {"duration": 0.05, "tolerance": 1e-6, "method": "dop853", "compiled": False}
+        found.append(simulate(model, parameters=light, **options).warnings)
+    product = BUSH * PIN
+
+    def approach(a):
+        return a**2 * CLEARANCE / (4 * product) * (np.log(16 * product / a**2) - 1)
+
+    arc = 2 * brentq(lambda a: approach(a) - 0.04 / STIFFNESS, 1e-6, 5e-3) / BUSH
+    none, (warning,) = found
+    assert f"{arc:.2g} rad on average, and each of 16 sectors 0.39 rad" in warning
+    assert warning.endswith(f"sectors={2 ** round(np.log2(10 / arc))}")
+    assert not none
 
 
 def test_halved_acceleration_leaves_half_of_the_error():
