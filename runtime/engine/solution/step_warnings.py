@@ -222,7 +222,9 @@ def wide_sectors(model: EngineModel, history: History) -> Iterator[str]:
 
     That is a mean by the force integrated over the sliding distance; its half-width follows from the penetration as in `_limits`.
     """
-    for wear, kind, text in model.module.EFFECTS if history.p is not None else ():
+    if history.p is None:
+        return
+    for wear, kind, text in model.module.EFFECTS:
         pair, states = text.rpartition(" at ")[2], (f"{wear}.pin_", f"{wear}.bush_")
         count = max([int(name.rpartition("_")[2]) for name in model.coordinates if name.startswith(states)], default=0)
         touching = history[f"{pair}.penetration"][1:] > 0 if kind == "wear" and count else np.zeros(0, bool)
