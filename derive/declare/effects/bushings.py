@@ -23,7 +23,7 @@ from hertzwerk.derive.declare.effects.springs import BetweenPoints
 from hertzwerk.derive.declare.effects.state_expression import as_choice, shown
 from hertzwerk.derive.declare.mechanism.bodies import AXES, Point
 from hertzwerk.derive.declare.mechanism.pose import APART, ROTATION, TURN, PosedFrames
-from hertzwerk.derive.expressions.algebra.functions import Where
+from hertzwerk.derive.expressions.algebra.functions import Where, slope
 from hertzwerk.derive.expressions.algebra.vectors import (
     ZERO,
     Matrix,
@@ -306,7 +306,7 @@ class FramePotential(BetweenFrames):
         values |= {TURN[i][k]: columns[k][i] for i in range(3) for k in range(3)}
 
         def gradient(symbols: Sequence[Any]) -> Vector:
-            return tuple(tape.let(sp.diff(energy, s).xreplace(values), f"{self.name}_by_{s.name}") for s in symbols)
+            return tuple(tape.let(slope(energy, s).xreplace(values), f"{self.name}_by_{s.name}") for s in symbols)
 
         by_turn = [gradient([TURN[i][k] for i in range(3)]) for k in range(3)]
         twist = add(ZERO, *(cross(column, slope) for column, slope in zip(columns, by_turn, strict=True)))

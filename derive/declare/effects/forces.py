@@ -25,6 +25,7 @@ from hertzwerk.derive.declare.effects.effect import (
 )
 from hertzwerk.derive.declare.effects.state_expression import COORDINATE, LOADS, Varying, as_choice, shown, states_in
 from hertzwerk.derive.declare.mechanism.bodies import GROUND, Body, Frame, Point
+from hertzwerk.derive.expressions.algebra.functions import slope
 from hertzwerk.derive.expressions.algebra.vectors import Vector, apply, dot
 from hertzwerk.derive.expressions.parameter import Scalar, Slot, parameters_of
 
@@ -174,7 +175,7 @@ class Potential(Effect):
         shares = []
         for symbol in states_in(energy):
             joint = symbol.joint
-            force = kin.tape.let(kin.expression(-sp.diff(energy, symbol)), f"{self.name}_on_{joint.replace('.', '_')}")
+            force = kin.tape.let(kin.expression(-slope(energy, symbol)), f"{self.name}_on_{joint.replace('.', '_')}")
             shares.append(kin.on_joint(joint, force, self.name))
         return Element(together(*shares), stored=kin.expression(energy))
 

@@ -40,8 +40,9 @@ class Constraint:
     `column` holds, by row of the equations of motion, the generalised force of a unit multiplier. The constraints of
     a `group` are components of one vector, or of one unit. Where a drive prescribes it, `drives` is the freedom
     driven, and the multiplier is the drive's force or torque. Of a joint, `force` and `moment` are those of a unit
-    multiplier on the child, about its point. Of a coupling, `by_time` is the part of its rate due to
-    time itself; where there is one, it drives too.
+    multiplier on the child, about its point. Their reactions act on the parent at that point too: where the loop is
+    open by d, `column` differs from the gradient of `value` by terms in d. Of a coupling, `by_time` is the part of its
+    rate due to time itself; where there is one, it drives too.
     """
 
     name: str

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import reduce
 from typing import Any
 
 import sympy
@@ -53,6 +54,12 @@ class Where(NoText):
     def doit(self, **hints: Any) -> Any:
         """The same of conditions and branches that are evaluated themselves."""
         return Where(*(arg.doit(**hints) for arg in self.args))
+
+
+def slope(expression: Any, symbol: Any) -> Any:
+    """Derivative by a symbol, of Max and Min by branches: SymPy's own has steps, which no rule emits."""
+    greater = expression.replace(sympy.Max, lambda *of: reduce(lambda a, b: Where(a > b, a, b), of))
+    return greater.replace(sympy.Min, lambda *of: reduce(lambda a, b: Where(a < b, a, b), of)).diff(symbol)
 
 
 def with_pieces(expression: Any) -> Any:

@@ -28,6 +28,10 @@ from hertzwerk.derive.expressions.dimension.symbolic import Symbolic, as_immutab
 from hertzwerk.derive.expressions.dimension.tree import Node, Tree
 
 _WHOLE = Signature("alike", "same")
+_COMPLEX = dict.fromkeys(
+    ("re", "im"),
+    "SymPy's Abs of a power whose base may be negative; omit the Abs of what is positive, or take Where(x > 0, ..)",
+)
 
 
 class Walker:
@@ -58,7 +62,7 @@ class Walker:
         if rule is None:
             known = ("a declared unit", "its unit is not declared")
             if node.op != "name":
-                known = ("a known operation", f"the audit has no rule for {node.op}")
+                known = ("a known operation", _COMPLEX.get(node.op, f"the audit has no rule for {node.op}"))
             raise self.fault(node, "unknown", *known)
         if not isinstance(rule, Signature):
             return rule(self, node)

@@ -44,6 +44,7 @@ RUNS_OUT = ((CONTACT, "force", "force_rate"), (RELEASED, "gap_rate", "gap_accele
 PARTS = 8  # sub-intervals searched
 SOME = 4  # events of many pairs that are looked for by their places
 BELIEVED = 4  # retakes of one step after which cubics give way to chords; where a cubic fits, 1 to 3 land
+CHORDS = 12  # retakes after which the step is halved: the chord of a force that flattens towards its root hardly moves
 AT_START = 1e-8  # of a step, from its start: a kink there is one of its start, where a landing has come as near as rounding lets it
 NEWTON_STEPS = 12  # within one of them, bisecting where Newton would leave the bracket
 NO_EVENT = 2.0  # theta beyond every step
@@ -248,7 +249,8 @@ def endings(model: EngineModel, layouts: Layouts) -> Any:
     through zero: in contact the force, which would pull from there on; released, the opening speed, after which the
     bodies close again; for the ns pairs that slip or stick, the margin of that; for the ne events of effects their
     own. The root is aimed half the tolerance below zero, so that the landing is beyond it. Where stiff damping makes the
-    force, its rate is dominated by the velocity error of a step: after BELIEVED retakes the chord replaces the cubic.
+    force, its rate is dominated by the velocity error of a step: after BELIEVED retakes the chord replaces the cubic, and
+    after CHORDS one whose root is halfway.
     """
     arguments, (start, run, end) = layouts.symbols("state controls next")
     arguments.append(layouts.kind.sym("floors", 2 * model.k))
@@ -257,6 +259,7 @@ def endings(model: EngineModel, layouts: Layouts) -> Any:
     tolerance = tolerances(model, run, end, arguments[-1])
     if model.k:
         for ends, f, f1, rate, rate1, small in _endings(model, start, end, *tolerance):
+            f = ca.if_else(start["retakes"] < CHORDS, f, -f1)
             rise, rise1 = (ca.if_else(start["retakes"] < BELIEVED, h * slope, f1 - f) for slope in (rate, rate1))
             cubic = _raise(_raise([f, f + rise / 3, f1 - rise1 / 3, f1]))
             rows = [ca.if_else(ends, x + small / 2, row) for x, row in zip(cubic, rows, strict=True)]
@@ -445,14 +448,8 @@ def _raise(b: list[Any]) -> list[Any]:
 
 
 def _horner(a: list[Any], x: Any) -> Any:
-    total = a[-1]
-    for coefficient in reversed(a[:-1]):
-        total = total * x + coefficient
-    return total
+    return reduce(lambda total, coefficient: total * x + coefficient, reversed(a))
 
 
 def _row_minimum(matrix: Any) -> Any:
-    smallest = matrix[:, 0]
-    for j in range(1, matrix.shape[1]):
-        smallest = ca.fmin(smallest, matrix[:, j])
-    return smallest
+    return reduce(ca.fmin, ca.horzsplit(matrix))

@@ -122,6 +122,10 @@ BAD = {
     "a choice without an otherwise": (
         lambda: driven(speed=sp.Piecewise((SPIN, hd.T < RISE))), "drive, speed", "Piecewise", "known functions",
     ),
+    "a force that SymPy takes as complex": (
+        lambda: bench(hd.JointForce("m", "slide", FORCE * sp.Abs(sp.exp((hd.coordinate_of("slide") / REST) ** hd.Parameter("n", "1", 2))))),
+        "m, force", "re((slide.coordinate/rest)**n)", "omit the Abs",
+    ),
     "a coordinate of an unknown joint": (
         lambda: bench(hd.JointForce("m", "slide", STIFFNESS * hd.coordinate_of("slid"))), "m, force", "'slid'", "axle, slide",
     ),

@@ -390,12 +390,14 @@ def column(*effects):
     return hd.Scene(hd.Mechanism("column", joints), (*made, gravity, hd.EnergyLedger()), scales)
 
 
+TRAVEL = hd.coordinate_of("column.travel")
 SEVERAL = {
     "spring of one of two coordinates": lambda *_: hd.JointSpring("x", "column.angle", TORQUE),
     "damper of the other": lambda *_: hd.JointDamper("x", "column.travel", DAMPING),
     "drive of one of two": lambda *_: hd.Harmonic("x", "column.angle", AMPLITUDE, RATE),
     "drive of the other, integrated": lambda *_: hd.Drive("x", "column.travel", speed=REST * RATE * sp.cos(RATE * hd.T)),
-    "potential of both": lambda *_: hd.Potential("x", STIFFNESS * hd.coordinate_of("column.travel") ** 2 * sp.cos(hd.coordinate_of("column.angle"))),
+    "potential of both": lambda *_: hd.Potential("x", STIFFNESS * (sp.Max(TRAVEL, 0)**2 - sp.Min(TRAVEL, 0)**3 / REST)
+    * sp.cos(hd.coordinate_of("column.angle"))),
     "spring between ball and free body": lambda post, arm, stone: hd.PointSpring("x", arm.at(*place("one", ONE)), stone.at(0, 0, 0), STIFFNESS, REST),
     "damper between ball and free body": lambda post, arm, stone: hd.PointDamper("x", arm.at(*place("one", ONE)), stone.at(*place("two",
     TWO)), DAMPING),

@@ -240,6 +240,34 @@ def test_a_force_whose_rate_misleads_is_landed_on_all_the_same():
     assert theta(4) == pytest.approx(60.2 / 70.9, rel=1e-3)
 
 
+def test_a_force_that_flattens_as_it_runs_out_is_landed_on():
+    """F = K d^1.5 (1 + c d'/v0), both factors near zero at once: chords from its start took more than 60 retakes (from these three starts)."""
+    K, c, v0, push, pull = 1e9, 0.1425, 0.02, 500, 75.84
+
+    def outer(t):
+        return ca.if_else(t < 3e-4, -1, ca.if_else(t < 8e-4, -push, pull))
+
+    pulled = point(
+        lambda d, v, speed: K * d**1.5 * (1 + c * v / speed),
+        push=lambda t, x, v: outer(t),
+        scales=(1e-5, 0.1, 100, 1e-3),
+    )
+    for start in (1.7185929648241205e-06, 1.7587939698492463e-06, 1.919597989949749e-06):
+        parameters = {"x0": f"{start!r} m", "v0": f"{-v0} m/s"}
+        run = simulate(pulled, duration="1.8 ms", tolerance=1e-6, parameters=parameters, method="dopri5")
+        assert run.outcome.finished and run.statistics.retaken <= 20
+        approach = math.sqrt(v0**2 + 2 * start)
+        t, y = approach - v0, (0.0, -approach)
+
+        def rates(t, y, approach=approach):
+            force = K * max(-y[0], 0) ** 1.5 * (1 - c * y[1] / approach)
+            return y[1], max(force, 0) + float(outer(t))
+
+        for until in (3e-4, 8e-4, 1.8e-3):
+            y, t = solve_ivp(rates, (t, until), y, rtol=1e-11, atol=1e-14, max_step=1e-5).y[:, -1], until
+        assert run["path.speed"][-1] == pytest.approx(y[1], rel=1e-4)
+
+
 def test_a_graze_that_is_not_in_doubt_does_not_halve_the_step():
     """Lower than zero, but within the margin: bodies that touch, with gaps of rounding, would halve it for ever."""
     touching = np.array([0.0, -1e-19, 2e-19, -1e-19, 1e-19, 0.0])
