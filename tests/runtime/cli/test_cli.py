@@ -347,24 +347,12 @@ def test_validate_reports_every_check_and_fails_if_one_does(hertzwerk):
 
 # ---- bad input -------------------------------------------------------------------------------------------------------
 
-BAD = [
+BAD = [  # a fault of each option; others are refused by the functions behind, see tests/runtime/test_calls.py
     (("slider_crank", "--set", "clearance=0.2 furlong"), "furlong"),
-    (("slider_crank", "--set", "clearance=0.2 kg"), "clearance"),
-    (("slider_crank", "--set", "clearanc=0.2 mm"), "clearance"),
-    (("slider_crank", "--set", "clearance=0.2"), "without a unit"),
-    (("slider_crank", "--set", "slider_mass=-1 kg"), "slider_mass"),
-    (("slider_crank", "--set", "clearance=0 mm"), "clearance"),
-    (("slider_crank", "--set", "restitution=1.5"), "restitution"),
-    (("slider_crank", "--set", "slider_mass=nan kg"), "slider_mass"),
-    (("slider_crank", "--set", "guide.travel=inf m"), "guide.travel"),
-    (("slider_crank", "--set", "guide.travel=3 kg"), "guide.travel"),
     (("slider_crank", "--set", "clearance"), "NAME=VALUE"),
     (("slider_crank", "--set", "clearance=1 mm", "--set", "clearance=2 mm"), "twice"),
-    (("slider_crank", "--duration", "0 s"), "duration"),
-    (("slider_crank", "--duration", "-1 s"), "duration"),
+    (("slider_crank", "--set", "guide.travel=3 kg"), "guide.travel"),
     (("slider_crank", "--duration", "5 mm"), "duration"),
-    (("slider_crank", "--accuracy", "1e-13"), "accuracy"),
-    (("slider_crank", "--accuracy", "0.2"), "accuracy"),
     (("slider_crank", "--accuracy", "high"), "accuracy"),
     (("slider_crank", "--method", "euler"), "dop853"),
     (("slider_crank", "--without", "frictoin"), "frictoin"),

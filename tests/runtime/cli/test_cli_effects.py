@@ -61,16 +61,10 @@ def test_json_is_plain_and_writes_nothing(hertzwerk, tmp_path):
     [
         (("--within", "much"), "such as 2%"),
         (("--within", "120%"), "below 100 %"),
-        (("--within", "nan"), "such as 2%"),
-        (("--tolerance", "1e-13"), "3e-11..0.1"),
         (("--tolerance", "fine"), "a number"),
-        (("--output", "peak_forces"), "one of peak_acceleration, or max.NAME"),
         (("--output", "max.hinge.angel"), "did you mean hinge.angle"),
-        (("--set", "bob_mess=2 kg"), "bob_mess"),
         (("--set", "bob_mess=2 kg", "--duration", "1 kg"), "2 faults"),
         (("--without", "spring"), "one of gravity"),
-        (("--duration", "-1 s"), "a positive time"),
-        (("--method", "euler"), "euler"),
     ],
 )
 def test_bad_input(hertzwerk, tmp_path, arguments, said):

@@ -134,18 +134,18 @@ def test_text_evaluates_to_the_law(name):
             assert abs(actual - expected) <= mpf("1e-14") * abs(expected)
 
 
-def test_latex():
-    assert sheet(LAWS["hertz_point"]).formulas[0].latex == r"F = K d^{\frac{3}{2}}"
+def test_latex(sheets):
+    assert sheets["hertz_point"].formulas[0].latex == r"F = K d^{\frac{3}{2}}"
     assert [latex_name(sp.Symbol(x)) for x in ("dR", "E_eff", "nu_1", "v0")] == [
         r"\Delta R",
         r"E_{\mathrm{eff}}",
         r"\nu_{1}",
         "v_{0}",
     ]
-    zhiying = sheet(LAWS["zhiying_qishao"]).definitions[-1].latex
+    zhiying = sheets["zhiying_qishao"].definitions[-1].latex
     assert r"\mathrm{e}^{2 - 2 e}" in zhiying  # Euler's number is not the restitution
-    for name, law in LAWS.items():
-        for formula in sheet(law).formulas:
+    for name, result in sheets.items():
+        for formula in result.formulas:
             assert formula.latex.count("{") == formula.latex.count("}"), name
             assert "Where" not in formula.latex
 
@@ -206,7 +206,7 @@ def test_reconstructions_show_the_band_of_their_candidates(sheets):
     assert sheets["johnson"].band is None
 
 
-def test_a_law_for_pairs_of_ones_own_has_no_example_of_another_kind():
+def test_a_law_for_pairs_of_ones_own_has_no_example_of_another_kind(sheets):
     law = replace(LAWS["wang_liu_internal"], pairs=("dome",))
-    assert sheet(LAWS["wang_liu_internal"]).example
+    assert sheets["wang_liu_internal"].example
     assert (sheet(law).example, sheet(law).points, sheet(law).band) == ("", (), None)

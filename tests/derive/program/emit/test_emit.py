@@ -135,10 +135,6 @@ def test_no_general_power_of_a_name_where_a_cheaper_form_exists(exponent):
     assert "**" not in expression_text(y * x ** sp.Rational(exponent))
 
 
-def test_hertz_forces_of_a_generated_module_take_no_general_power():
-    assert "**" not in hd.generate(slider_crank)
-
-
 def test_operations_are_counted():
     """By hand: 2 products, a sum, a root, a negation, a comparison and a choice."""
     text = "def f(x, c):\n    y = c[0]*x + ca.sqrt(x*x)\n    return ca.vertcat(-y, ca.if_else(y > 0, y, -1))\n"
@@ -165,13 +161,6 @@ def parsed_operations(node):
 def test_operations_are_those_that_python_parses(expression):
     text = expression_text(expression)
     assert operations(text) == parsed_operations(ast.parse(text)) > 0
-
-
-def test_operations_of_a_module_are_those_that_python_parses():
-    text, scope = hd.generate(slider_crank), {}
-    functions = [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
-    exec(text, scope)
-    assert dict(scope["OPERATIONS"]) == {node.name: parsed_operations(node) for node in functions}
 
 
 # -- what is not known -------------------------------------------------------------------------------------------------

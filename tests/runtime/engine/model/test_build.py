@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 
-from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.common.module_format import FORMAT, sealed
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.model import build
@@ -126,21 +125,6 @@ def test_another_variation_or_another_derivation_is_another_entry(folder, monkey
     monkeypatch.setattr(build, "derive_digest", lambda: "changed")
     build.build_built_in("two_spheres", ["energy_ledger"])
     assert len(list(folder.iterdir())) == 3
-
-
-def test_variations_do_what_they_say():
-    scene = build.scene_from("slider_crank")
-    varied = build.vary(scene, ["slider_pin_friction"], {"slider_pin": "flores"})
-    assert "slider_pin_friction" not in [effect.name for effect in varied.effects]
-    assert "flores" in varied.effect("slider_pin").text
-    assert "slider_pin_friction" in [effect.name for effect in scene.effects]
-
-
-def test_all_faults_of_a_variation_come_at_once():
-    with pytest.raises(InputError) as caught:
-        build.vary(build.scene_from("slider_crank"), ["nope", "nor_this"], {"slider_pin": "newton", "guide": "flores"})
-    text = str(caught.value)
-    assert all(word in text for word in ("nope", "nor_this", "newton", "guide"))
 
 
 def test_tracebacks_find_the_lines_of_a_generated_module():

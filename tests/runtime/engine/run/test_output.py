@@ -6,7 +6,6 @@ import os
 import signal
 import subprocess
 import sys
-import threading
 from functools import cache
 from pathlib import Path
 
@@ -254,18 +253,6 @@ def test_ctrl_c_in_a_block_loses_no_observer_a_row(monkeypatch):
     assert grid.engine.t_end == again.engine.t_end
     assert grid.impacts == again.impacts
     assert grid.energy_residual == again.energy_residual
-
-
-def test_a_grid_from_another_thread():
-    found = []
-    thread = threading.Thread(
-        target=lambda: found.append(simulate(built("soft_ball"), duration="1 s", grid=11, tolerance=1e-6))
-    )
-    thread.start()
-    thread.join()
-    assert np.array_equal(
-        found[0]["energy"], simulate(built("soft_ball"), duration="1 s", grid=11, tolerance=1e-6)["energy"]
-    )
 
 
 def test_saved_drawn_and_loaded(tmp_path):

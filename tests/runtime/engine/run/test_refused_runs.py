@@ -13,23 +13,6 @@ from hertzwerk.runtime import load, simulate_many
 BALL = load("bouncing_ball")
 
 
-@pytest.mark.parametrize(
-    ("name", "said"),
-    [
-        ("nope", "nope: found no function of this name"),
-        ("gap", "did you mean gaps"),
-        ("contact_flor", "contact_floor"),
-        (None, "text"),
-        ([1], "text"),
-    ],
-)
-def test_a_function_that_is_none(name, said):
-    with pytest.raises(InputError) as refused:
-        BALL.function(name)
-    assert said in str(refused.value)
-    assert "joint_constraints" not in str(refused.value)  # of another kind of model
-
-
 @pytest.mark.parametrize("compiled", [False, "auto"])
 @pytest.mark.parametrize("workers", [1, 2])
 def test_an_output_that_is_an_array_is_refused_with_the_first_row(compiled, workers):
@@ -61,35 +44,6 @@ def test_an_array_of_one_number_in_no_dimension_is_one():
     )
     assert table.rows[0].outcome == "finished"
     assert table.rows[0].outputs["top"] > 0
-
-
-@pytest.mark.parametrize("sets", [None, 5, "text", {"drop_height": "1 m"}, [5], [["drop_height", "1 m"]]])
-def test_sets_that_are_none(sets):
-    with pytest.raises(InputError, match="parameter_sets"):
-        simulate_many(BALL, sets, duration="0.1 s", tolerance=1e-6)
-
-
-@pytest.mark.parametrize("outputs", [5, ["a"], {"a": 5}, {5: len}])
-def test_outputs_that_are_none(outputs):
-    with pytest.raises(InputError, match="functions"):
-        simulate_many(BALL, [{}], duration="0.1 s", tolerance=1e-6, functions=outputs)
-
-
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        {"target": None},
-        {"target": 5},
-        {"without": 5},
-        {"without": "gravity"},
-        {"laws": ["flores"]},
-        {"laws": {"floor": 5}},
-        {"coordinates": 5},
-    ],
-)
-def test_arguments_of_load(arguments):
-    with pytest.raises(InputError):
-        load(**{"target": "bouncing_ball", **arguments})
 
 
 def test_an_unchecked_law_without_a_value_is_one_fault_that_names_it():

@@ -25,32 +25,24 @@ def saved(crank, tmp_path_factory):
     return Solution.load(crank.save(tmp_path_factory.mktemp("saved") / "run.npz"))
 
 
-def bent(run: Solution, true: Solution, name: str) -> float:
-    """Largest distance of a drawn curve from the motion, halfway between its samples, over its range."""
+def bent(run: Solution, true: Solution) -> dict[str, float]:
+    """Curves whose largest distance from the motion, halfway between their samples, a reader sees; over their range."""
     curves = Curves.of(run)
-    halfway = (curves.t[1:] + curves.t[:-1]) / 2
-    drawn = (curves[name][1:] + curves[name][:-1]) / 2
-    off = np.abs(drawn - true.at(halfway)[name])
-    return float(np.max(off) / np.ptp(true[name]))
+    moved = true.at((curves.t[1:] + curves.t[:-1]) / 2)
+    drawn = {name: (curves[name][1:] + curves[name][:-1]) / 2 for name in SHOWN}
+    off = {name: float(np.max(np.abs(drawn[name] - moved[name])) / np.ptp(true[name])) for name in SHOWN}
+    return {name: distance for name, distance in off.items() if distance >= EYE}
 
 
-@pytest.mark.parametrize("name", SHOWN)
-def test_long_runs_have_no_kinks(crank, name):
+def test_long_runs_have_no_kinks(crank):
     """A fixed number of samples was spread over any duration: of .3 s, flights were chords with kinks."""
     assert len(crank.t) > 15_000
-    assert bent(crank, crank, name) < EYE
+    assert bent(crank, crank) == {}
 
 
-@pytest.mark.parametrize("name", SHOWN)
-def test_saved_runs_are_drawn_as_live_ones(crank, saved, name):
+def test_saved_runs_are_drawn_as_live_ones(crank, saved):
     """Straight lines joined the steps: the pin's path was a polygon."""
-    assert bent(saved, crank, name) < EYE
-
-
-def test_the_largest_force_stays_the_largest(crank, saved):
-    (peak,) = {max(impact.peak_force for impact in run.impacts) for run in (crank, saved)}
-    assert np.max(Curves.of(crank)["slider_pin.normal_force"]) == pytest.approx(peak, rel=1e-5)
-    assert np.max(Curves.of(saved)["slider_pin.normal_force"]) == pytest.approx(peak, rel=1e-3)
+    assert bent(saved, crank) == {}
 
 
 def test_the_first_impact_of_a_saved_run_is_no_polygon(crank, saved):

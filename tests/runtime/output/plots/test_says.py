@@ -92,26 +92,6 @@ def test_a_run_on_a_grid_is_made_again_bitwise(crank, coarse):
     assert np.array_equal(again.engine.history.rows, crank.engine.history.rows[: len(again.t)])
 
 
-def test_loose_steps_are_drawn_smooth():
-    run = simulate(built("slider_crank"), duration="3 ms", tolerance=1e-2)
-    t = Curves.of(run).t
-    onset, end = run.impacts[0].t, run.impacts[0].t + run.impacts[0].duration
-    assert np.sum((run.t > onset) & (run.t < end)) < 12 < 40 < np.sum((t > onset) & (t < end))
-
-
-def test_the_ideal_mechanism_between_its_knots(crank, monkeypatch):
-    """Splines through 300 positions against as many Newton iterations as there are samples."""
-    every = Curves.of(crank)
-    exact = every.ideal
-    monkeypatch.setattr("hertzwerk.runtime.output.plots.curves.KNOTS", 300)
-    between = Curves.of(crank).ideal
-    assert len(between.t) == len(every.t) > 1000
-    for name in ("guide.travel", "crank_pin.angle", "guide.speed"):
-        assert np.max(np.abs(between[name] - np.interp(every.t, exact.t, exact[name]))) < 1e-4 * np.max(
-            np.abs(exact[name])
-        )
-
-
 # ---- title -----------------------------------------------------------------------------------------------------------
 
 

@@ -136,13 +136,6 @@ def test_an_output_says_what_it_needs_of_a_run(crank):
     assert outputs["guide.travel.max"].needs == Needs.STEPS
 
 
-def test_rows_that_cannot_run_say_so_and_what_no_row_can_do_is_bad_input(ball):
-    table = sweep(ball, {"mass": (("1 kg"), "-1 kg", "1 m")}, workers=1, **BALL)
-    assert list(table["outcome"]) == ["finished", "bad_input", "bad_input"]
-    with pytest.raises(InputError, match="mass"):
-        sweep(ball, {"mass": ("-1 kg", "1 m")}, **BALL)
-
-
 def test_every_fault_comes_at_once(ball):
     with pytest.raises(InputError) as caught:
         sweep(
@@ -161,12 +154,3 @@ def test_every_fault_comes_at_once(ball):
         *("functions['steps']", "functions['mass']", "workers", "tolerance", "duration"),
     ]
     assert "did you mean floor.peak_force" in str(caught.value)
-
-
-def test_own_functions_are_columns_and_failures_rows(ball):
-    functions = {"top": lambda run: np.max(run["vertical.travel"]), "second": lambda run: run.impacts[1].speed}
-    table = sweep(ball, {"drop_height": "1 m, 20 m"}, functions=functions, workers=1, duration="1.5 s", tolerance=1e-6)
-    assert table["top"] == pytest.approx([1.02, 20.02], rel=0.1)
-    assert list(table["outcome"]) == ["finished", "bad_output"]
-    with pytest.raises(InputError, match="a number"):
-        sweep(ball, {"mass": "1 kg"}, functions={"path": lambda run: run.t}, workers=1, **BALL)

@@ -101,13 +101,6 @@ def test_two_parameters_are_a_map_with_every_value_at_its_place(broken):
     assert page.axes[1].get_ylabel() == "force [kN]"
 
 
-def test_a_map_whose_axes_were_exchanged_would_show(monkeypatch):
-    placed = plot_sweep._placed
-    monkeypatch.setattr(plot_sweep, "_placed", lambda x, y, values: placed(x, y, values[::-1]))
-    with pytest.raises(AssertionError):
-        test_two_parameters_are_a_map_with_every_value_at_its_place(None)
-
-
 def test_a_section_is_a_dot_for_each_point():
     page = figure(section())
     (axis,) = page.axes

@@ -21,57 +21,12 @@ pytestmark = pytest.mark.by_turns(7)  # methods that run the same code
 REFERENCES = tuple(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("cvodes", "idas"))
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto", *REFERENCES)
 MU = 0.2
-ROLLING = math.atan(7 / 2 * MU)  # rad: a ball on a steeper plane slides
 
 
 @cache
 def built(**options):
     """The model of a ball, derived once."""
     return engine_model(ball(dry(MU), **options))
-
-
-# ---- a ball on an incline --------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("share", [0.3, 1 - 1e-4])
-def test_a_ball_rolls_below_the_angle(method, share):
-    """tan(slope) < 7/2 mu: it sticks, and its acceleration is 5/7 g sin(slope), whatever the coefficient.
-
-    Explicit steps at the edge of their stability leave a normal force that vibrates by 1e-4: it is no cause to let go.
-    """
-    slope = share * ROLLING
-    run = simulate(built(), duration="0.5 s", method=method, tolerance=1e-8, parameters={"slope": slope})
-    speed = 5 / 7 * GRAVITY * math.sin(slope) * 0.5
-    assert np.all(run["floor.slip"] == 0)
-    assert run.engine.final["flight.x_speed"] == pytest.approx(speed, rel=1e-8)
-    assert run.engine.final["flight.angular_speed_z"] == pytest.approx(-speed / RADIUS, rel=1e-8)
-    assert run["floor.friction_force"][-1] == pytest.approx(-2 / 7 * MASS * GRAVITY * math.sin(slope), rel=1e-6)
-    assert run["floor.sliding_velocity"][-1] < 1e-12
-    assert run.engine.final["rub.dissipated"] == pytest.approx(0, abs=1e-15)
-    assert run.energy_residual < 1e-8
-
-
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("share", [1 + 1e-4, 1.5])
-def test_a_ball_slides_above_the_angle(method, share):
-    """g (sin - mu cos), and the spin that friction gives it, 5/2 mu g cos/r."""
-    slope = math.atan(share * math.tan(ROLLING))
-    run = simulate(built(), duration="0.5 s", method=method, tolerance=1e-8, parameters={"slope": slope})
-    rate = GRAVITY * (math.sin(slope) - MU * math.cos(slope))
-    spin = 5 / 2 * MU * GRAVITY * math.cos(slope) / RADIUS
-    slips = 0.5 * (rate - spin * RADIUS)
-    assert np.all(run["floor.slip"][1:] == 1)
-    assert run.engine.final["flight.x_speed"] == pytest.approx(0.5 * rate, rel=1e-7)
-    assert run.engine.final["flight.angular_speed_z"] == pytest.approx(-0.5 * spin, rel=1e-7)
-    assert run["floor.sliding_velocity"][-1] == pytest.approx(slips, rel=1e-5, abs=1e-7)
-    assert run.engine.final["rub.dissipated"] == pytest.approx(
-        MU * MASS * GRAVITY * math.cos(slope) * slips / 4, rel=1e-5, abs=1e-8
-    )
-    assert run.energy_residual < 1e-8
-
-
-# ---- how well a step resolves what sticks ----------------------------------------------------------------------------
 
 
 # ---- a billiard ball -------------------------------------------------------------------------------------------------
@@ -152,23 +107,6 @@ def test_launched_across_a_gentler_incline_it_stops_while_it_turns(method, ratio
     assert abs(run.engine.final["x.speed"]) + abs(run.engine.final["z.speed"]) < 1e-14
     assert run.energy_residual < 1e-8
     assert len(run.t) < 3000
-
-
-@pytest.mark.parametrize("method", METHODS)
-def test_thrown_uphill_it_turns_back_without_sticking(method):
-    """Almost straight up a steep plane: the slip turns by pi within v_z/(g sin), a thousandth of the flight up."""
-    slope, aside = 0.5, 1e-4
-    run = simulate(
-        built(turns=False), duration="0.5 s", method=method, tolerance=1e-8,
-        parameters={"slope": slope, "v_x": "-1 m/s", "v_z": f"{aside} m/s"},
-    )  # fmt: skip
-    drag, sin = MU * GRAVITY * math.cos(slope), GRAVITY * math.sin(slope)
-    t = 1 / (sin + drag)
-    assert run.outcome.finished
-    assert not np.any(run["floor.slip"] == 0)
-    assert run.engine.final["x.speed"] == pytest.approx((sin - drag) * (0.5 - t), rel=1e-4)
-    assert abs(run.engine.final["z.speed"]) < aside / 10
-    assert run.energy_residual < 1e-8
 
 
 def test_held_at_rest_within_the_disc():
