@@ -5,7 +5,7 @@ Effects:
     wall: power x flores
     oil: sphere_film film, none while it opens, at wall
     energy_ledger: work put in, energy dissipated per effect
-Units: 26 assignments and 77 outputs checked, all consistent
+Units: 28 assignments and 82 outputs checked, all consistent
 Operations: flight 41 (equations of motion and gaps); in contact also contact_wall 16
 """
 
@@ -15,7 +15,7 @@ NAME = "ball_on_oil"
 SOURCE = "derive/scenes/ball_on_oil.py"
 SUMMARY = "ball through an oil film onto a plane"
 FORMAT = "hertzwerk module 1"
-DIGEST = "eecea72544c9a993bb84c441fa0f40c6"
+DIGEST = "4ea26c0ac180e3a59a07de193c976ebc"
 
 EFFECTS = (
     ("wall", "contact", "power x flores"), ("oil", "lubrication", "sphere_film film, none while it opens, at wall"),
@@ -46,7 +46,7 @@ LIMITS = (
     ("speed", "defined", 0, None, True, False, "scales, speed"),
 )
 
-COORDINATES = (("path.travel", "m"),)
+COORDINATES = (("path.travel", "m"), ("oil.seams", "1"))
 
 SPEEDS = (("path.speed", "m/s"),)
 
@@ -55,6 +55,8 @@ MEMORY = (("wall.dissipated", "J"), ("oil.dissipated", "J"))
 LATCHES = (("wall.approach_speed", "m/s", 0),)
 
 PAIRS = (("wall", "sphere_on_plane"),)
+
+EVENTS = (("oil.seam", (1,)),)
 
 RELEASES = ("force",)
 
@@ -78,11 +80,12 @@ CONSTANTS = (
 
 OPERATIONS = (
     ("constants", 16), ("start", 2), ("scales", 4), ("coordinate_rates", 0), ("gaps", 1), ("gap_accelerations", 0), ("contact_wall", 16),
-    ("applied", 39), ("accelerations", 1), ("ledger", 41), ("energy", 12), ("poses", 0), ("outputs", 40), ("landmarks", 0),
+    ("applied", 39), ("accelerations", 1), ("margins", 12), ("jumps", 10), ("ledger", 41), ("energy", 12), ("poses", 0), ("outputs", 40),
+    ("landmarks", 0),
 )
 
-UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = ()
-SLIPS = CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LOADS = FED = RUBBING = GUIDES = SLIPS = ()
+CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
@@ -113,11 +116,11 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (1,): COORDINATES
+        q (2,): COORDINATES
         u (1,): SPEEDS
     """
     radius, film_height, speed = p[1], p[7], p[8]
-    return ca.vertcat(film_height + radius), ca.vertcat(-speed)
+    return ca.vertcat(film_height + radius, 0), ca.vertcat(-speed)
 
 
 def scales(p):
@@ -125,7 +128,7 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (1,): COORDINATES
+        sq (2,): COORDINATES
         su (1,): SPEEDS
         sz (2,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
@@ -133,7 +136,7 @@ def scales(p):
     mass, film_height, speed = p[0], p[7], p[8]
     energy_scale = speed*speed*mass/2
     force_scale = energy_scale/film_height
-    return (ca.vertcat(film_height), ca.vertcat(speed), ca.vertcat(energy_scale, energy_scale),
+    return (ca.vertcat(film_height, 1), ca.vertcat(speed), ca.vertcat(energy_scale, energy_scale),
         ca.vertcat(film_height, speed, force_scale, energy_scale))
 
 
@@ -142,10 +145,10 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (1,): COORDINATES [m/s]
+        dq (2,): path.travel [m/s], oil.seams [1/s]
     """
     path_speed = u[0]
-    return ca.vertcat(path_speed)
+    return ca.vertcat(path_speed, 0)
 
 
 def gaps(t, q, u, c):
@@ -232,6 +235,38 @@ def accelerations(t, q, u, f, c):
     path_force = f[0]
     path_acc = inverse_mass*path_force
     return ca.vertcat(path_acc), ca.vertcat()
+
+
+def margins(t, q, u, c):
+    """Margin of every event of an effect, beside its size: positive until it happens, see EVENTS.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        margin (1,): oil.seam [1]
+    """
+    radius, inverse_boundary_layer = c[0], c[5]
+    path_travel, oil_seams = q[0], q[1]
+    wall_gap = path_travel - radius
+    x1 = -inverse_boundary_layer*wall_gap
+    oil_past_0 = 2 + x1
+    oil_past_1 = x1 - 1
+    return ca.vertcat(ca.if_else(oil_seams > 0, oil_past_0, -oil_past_0)*ca.if_else(oil_seams > 1, oil_past_1, -oil_past_1))
+
+
+def jumps(t, q, u, c):
+    """Values of the states that each event changes, event by event, by the values before it.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        then (1,): oil.seams [1]
+    """
+    radius, inverse_boundary_layer = c[0], c[5]
+    path_travel = q[0]
+    wall_gap = path_travel - radius
+    x1 = -inverse_boundary_layer*wall_gap
+    oil_past_0 = 2 + x1
+    oil_past_1 = x1 - 1
+    return ca.vertcat(ca.if_else(oil_past_0 >= 0, 1, 0) + ca.if_else(oil_past_1 >= 0, 1, 0))
 
 
 def ledger(t, q, u, reactions, c):

@@ -7,7 +7,7 @@ Effects:
     bearing: power x flores
     oil: short_bearing film at bearing
     energy_ledger: work put in, energy dissipated per effect
-Units: 74 assignments and 125 outputs checked, all consistent
+Units: 78 assignments and 132 outputs checked, all consistent
 Operations: flight 135 (equations of motion and gaps); in contact also contact_bearing 25
 """
 
@@ -17,7 +17,7 @@ NAME = "journal_lubricated"
 SOURCE = "derive/scenes/journal_lubricated.py"
 SUMMARY = "loaded journal on the oil film of a short bearing"
 FORMAT = "hertzwerk module 1"
-DIGEST = "d9c05a1809adf622079c27dbc7b521e9"
+DIGEST = "b783e21bcf025530ec3d3c5131b00fee"
 
 EFFECTS = (
     ("motor", "drive", "constant speed of shaft.angle"), ("load", "force", "force on journal = (0, -load, 0) in axes of ground"),
@@ -57,7 +57,7 @@ SUM_LIMITS = (
     ((("bush_radius", 1.0), ("clearance", -1.0)), "defined", 0, None, True, False, "pair bearing, pin radius (bush radius minus clearance)"),
 )
 
-COORDINATES = (("shaft.x", "m"), ("shaft.y", "m"))
+COORDINATES = (("shaft.x", "m"), ("shaft.y", "m"), ("oil.seams", "1"))
 
 SPEEDS = (("shaft.x_speed", "m/s"), ("shaft.y_speed", "m/s"))
 
@@ -67,9 +67,13 @@ LATCHES = (("bearing.approach_speed", "m/s", 0),)
 
 PAIRS = (("bearing", "pin_in_bush"),)
 
+EVENTS = (("oil.seam", (2,)),)
+
 RELEASES = ("force",)
 
 DISSIPATED = (2,)
+
+GIVEN = ("oil.seams",)
 
 OUTPUTS = (("bearing.eccentricity_x", "m"), ("bearing.eccentricity_y", "m"), ("oil.force", "N"), ("oil.thickness", "m"))
 
@@ -86,19 +90,19 @@ CONSTANTS = (
     ("clearance", "m"), ("speed", "1/s"), ("load", "N"), ("contact_stiffness", "N/m^1.5"), ("boundary_layer", "m"), ("half_speed", "1/s"),
     ("oil_free", "1"), ("inverse_clearance_squared", "1/m^2"), ("oil_free_squared", "1"), ("half_clearance_over_boundary_layer", "1"),
     ("twice_boundary_layer_over_clearance", "1"), ("clearance_over_boundary_layer", "1"), ("inverse_clearance", "1/m"),
-    ("bush_radius_squared_times_speed_squared", "m^2/s^2"), ("half_pi", "1"), ("k10", "N s/m"), ("k11", "J s"),
+    ("bush_radius_squared_times_speed_squared", "m^2/s^2"), ("half_pi", "1"), ("k10", "N s/m"), ("k11", "J s"), ("k12", "1"), ("k13", "1"),
     ("clearance_squared", "m^2"), ("half_inverse_clearance", "1/m"), ("two_fifths_of_contact_stiffness", "N/m^1.5"),
     ("bearing_hysteresis_factor", "1"), ("inverse_mass", "1/kg"), ("half_mass", "kg"), ("half_speed_squared_times_inertia", "J"),
 )
 
 OPERATIONS = (
-    ("constants", 44), ("start", 0), ("scales", 7), ("coordinate_rates", 0), ("gaps", 12), ("gap_accelerations", 13),
-    ("contact_bearing", 25), ("applied", 107), ("accelerations", 3), ("ledger", 109), ("energy", 16), ("poses", 4), ("outputs", 104),
-    ("period", 3), ("landmarks", 2),
+    ("constants", 48), ("start", 0), ("scales", 7), ("coordinate_rates", 0), ("gaps", 12), ("gap_accelerations", 13),
+    ("contact_bearing", 25), ("applied", 107), ("accelerations", 3), ("margins", 15), ("jumps", 13), ("ledger", 109), ("energy", 16),
+    ("poses", 4), ("outputs", 104), ("period", 3), ("landmarks", 2),
 )
 
-UNCHECKED = CONTRADICTIONS = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = ()
-CONSTRAINTS = ROLLING = GIVEN = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
@@ -108,15 +112,17 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (24,): clearance, speed, load, contact_stiffness, boundary_layer, half_speed, oil_free, inverse_clearance_squared,
+        c (26,): clearance, speed, load, contact_stiffness, boundary_layer, half_speed, oil_free, inverse_clearance_squared,
             oil_free_squared, half_clearance_over_boundary_layer, twice_boundary_layer_over_clearance, clearance_over_boundary_layer,
-            inverse_clearance, bush_radius_squared_times_speed_squared, half_pi, k10, k11, clearance_squared, half_inverse_clearance,
-            two_fifths_of_contact_stiffness, bearing_hysteresis_factor, inverse_mass, half_mass, half_speed_squared_times_inertia
+            inverse_clearance, bush_radius_squared_times_speed_squared, half_pi, k10, k11, k12, k13, clearance_squared,
+            half_inverse_clearance, two_fifths_of_contact_stiffness, bearing_hysteresis_factor, inverse_mass, half_mass,
+            half_speed_squared_times_inertia
     """
     mass, inertia, bush_radius, clearance, length, speed, load, contact_stiffness = p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]
     restitution, viscosity, boundary_layer = p[8], p[10], p[11]
     half_speed = speed/2
-    oil_free = 1 - 2*boundary_layer/clearance
+    minus_twice_boundary_layer_over_clearance = -2*boundary_layer/clearance
+    oil_free = 1 + minus_twice_boundary_layer_over_clearance
     inverse_clearance_squared = 1/(clearance*clearance)
     oil_free_squared = oil_free*oil_free
     half_clearance_over_boundary_layer = clearance/(2*boundary_layer)
@@ -129,6 +135,8 @@ def constants(p):
     bush_radius_minus_clearance = bush_radius - clearance
     k10 = bush_radius_minus_clearance*length*length*length*viscosity/(clearance*clearance*clearance)
     k11 = 2*3.141592653589793*inverse_clearance*bush_radius_minus_clearance*bush_radius_minus_clearance*bush_radius_minus_clearance*length*viscosity
+    k12 = 2 + minus_twice_boundary_layer_over_clearance
+    k13 = -1 - inverse_clearance*boundary_layer/2
     clearance_squared = clearance*clearance
     half_inverse_clearance = inverse_clearance/2
     two_fifths_of_contact_stiffness = 2*contact_stiffness/5
@@ -138,7 +146,7 @@ def constants(p):
     half_speed_squared_times_inertia = speed_squared*inertia/2
     return ca.vertcat(clearance, speed, load, contact_stiffness, boundary_layer, half_speed, oil_free, inverse_clearance_squared,
         oil_free_squared, half_clearance_over_boundary_layer, twice_boundary_layer_over_clearance, clearance_over_boundary_layer,
-        inverse_clearance, bush_radius_squared_times_speed_squared, half_pi, k10, k11, clearance_squared, half_inverse_clearance,
+        inverse_clearance, bush_radius_squared_times_speed_squared, half_pi, k10, k11, k12, k13, clearance_squared, half_inverse_clearance,
         two_fifths_of_contact_stiffness, bearing_hysteresis_factor, inverse_mass, half_mass, half_speed_squared_times_inertia)
 
 
@@ -147,10 +155,10 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (2,): COORDINATES
+        q (3,): COORDINATES
         u (2,): SPEEDS
     """
-    return ca.vertcat(0, 0), ca.vertcat(0, 0)
+    return ca.vertcat(0, 0, 0), ca.vertcat(0, 0)
 
 
 def scales(p):
@@ -158,7 +166,7 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (2,): COORDINATES
+        sq (3,): COORDINATES
         su (2,): SPEEDS
         sz (4,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
@@ -167,7 +175,7 @@ def scales(p):
     energy_scale = bush_radius*bush_radius*speed*speed*mass/2
     force_scale = energy_scale/clearance
     bush_radius_times_speed = bush_radius*speed
-    return (ca.vertcat(clearance, clearance), ca.vertcat(bush_radius_times_speed, bush_radius_times_speed),
+    return (ca.vertcat(clearance, clearance, 1), ca.vertcat(bush_radius_times_speed, bush_radius_times_speed),
         ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale),
         ca.vertcat(clearance, bush_radius_times_speed, force_scale, energy_scale))
 
@@ -177,10 +185,10 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (2,): COORDINATES [m/s]
+        dq (3,): shaft.x [m/s], shaft.y [m/s], oil.seams [1/s]
     """
     shaft_x_speed, shaft_y_speed = u[0], u[1]
-    return ca.vertcat(shaft_x_speed, shaft_y_speed)
+    return ca.vertcat(shaft_x_speed, shaft_y_speed, 0)
 
 
 def gaps(t, q, u, c):
@@ -191,7 +199,7 @@ def gaps(t, q, u, c):
         G (1,): PAIRS [m]
         dG (1,): PAIRS [m/s]
     """
-    clearance_squared, half_inverse_clearance = c[17], c[18]
+    clearance_squared, half_inverse_clearance = c[19], c[20]
     shaft_x, shaft_y = q[0], q[1]
     shaft_x_speed, shaft_y_speed = u[0], u[1]
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
@@ -208,7 +216,7 @@ def gap_accelerations(t, q, u, a, c):
     Returns, each a column vector:
         ddG (1,): PAIRS [m/s^2]
     """
-    half_inverse_clearance = c[18]
+    half_inverse_clearance = c[20]
     shaft_x, shaft_y = q[0], q[1]
     shaft_x_speed, shaft_y_speed = u[0], u[1]
     shaft_x_acceleration, shaft_y_acceleration = a[0], a[1]
@@ -228,7 +236,7 @@ def contact_bearing(t, q, u, z, m, c):
         sliding_velocity (0,): empty
         in_range (1,): PAIRS [1]
     """
-    clearance, contact_stiffness, bearing_hysteresis_factor = c[0], c[3], c[20]
+    clearance, contact_stiffness, bearing_hysteresis_factor = c[0], c[3], c[22]
     shaft_x, shaft_y = q[0], q[1]
     shaft_x_speed, shaft_y_speed = u[0], u[1]
     bearing_approach_speed = m[0]
@@ -300,11 +308,47 @@ def accelerations(t, q, u, f, c):
         a (2,): shaft.x_acceleration [m/s^2], shaft.y_acceleration [m/s^2]
         reactions (1,): shaft.angle.reaction [N m]
     """
-    inverse_mass = c[21]
+    inverse_mass = c[23]
     shaft_x_force, shaft_y_force, shaft_angle_force = f[0], f[1], f[2]
     shaft_x_acc = inverse_mass*shaft_x_force
     shaft_y_acc = inverse_mass*shaft_y_force
     return ca.vertcat(shaft_x_acc, shaft_y_acc), ca.vertcat(-shaft_angle_force)
+
+
+def margins(t, q, u, c):
+    """Margin of every event of an effect, beside its size: positive until it happens, see EVENTS.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        margin (1,): oil.seam [1]
+    """
+    inverse_clearance_squared, half_clearance_over_boundary_layer, k12, k13 = c[7], c[9], c[17], c[18]
+    shaft_x, shaft_y, oil_seams = q[0], q[1], q[2]
+    oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
+    oil_epsilon_squared = inverse_clearance_squared*oil_e_squared
+    oil_epsilon_squared_minus_one = oil_epsilon_squared - 1
+    x2 = half_clearance_over_boundary_layer*oil_epsilon_squared_minus_one
+    oil_past_0 = k12 + x2
+    oil_past_1 = k13 + x2
+    return ca.vertcat(ca.if_else(oil_seams > 0, oil_past_0, -oil_past_0)*ca.if_else(oil_seams > 1, oil_past_1, -oil_past_1))
+
+
+def jumps(t, q, u, c):
+    """Values of the states that each event changes, event by event, by the values before it.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        then (1,): oil.seams [1]
+    """
+    inverse_clearance_squared, half_clearance_over_boundary_layer, k12, k13 = c[7], c[9], c[17], c[18]
+    shaft_x, shaft_y = q[0], q[1]
+    oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
+    oil_epsilon_squared = inverse_clearance_squared*oil_e_squared
+    oil_epsilon_squared_minus_one = oil_epsilon_squared - 1
+    x2 = half_clearance_over_boundary_layer*oil_epsilon_squared_minus_one
+    oil_past_0 = k12 + x2
+    oil_past_1 = k13 + x2
+    return ca.vertcat(ca.if_else(oil_past_0 >= 0, 1, 0) + ca.if_else(oil_past_1 >= 0, 1, 0))
 
 
 def ledger(t, q, u, reactions, c):
@@ -361,7 +405,7 @@ def energy(t, q, u, c):
         potential (1,): potential [J]
         stored (1,): PAIRS [J]
     """
-    clearance, two_fifths_of_contact_stiffness, half_mass, half_speed_squared_times_inertia = c[0], c[19], c[22], c[23]
+    clearance, two_fifths_of_contact_stiffness, half_mass, half_speed_squared_times_inertia = c[0], c[21], c[24], c[25]
     shaft_x, shaft_y = q[0], q[1]
     shaft_x_speed, shaft_y_speed = u[0], u[1]
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y

@@ -9,14 +9,14 @@ layer, where only the contact law acts: the transition of Flores, Lankarani, Amb
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import sympy as sp
 
 from hertzwerk.derive.common.faults import Fault, one_of
-from hertzwerk.derive.declare.effects.effect import Declared, Element, Kinematics, PairEffect, together
+from hertzwerk.derive.declare.effects.effect import Declared, Element, Event, Kinematics, PairEffect, State, together
 from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.expressions.algebra.vectors import Vector, add, cross, dot, scale, sub
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
@@ -77,7 +77,8 @@ SOUGHT = (
 )
 
 
-TRANSITIONS = ("smooth", "linear", "abrupt")
+TRANSITIONS = {"smooth": (-2, 1), "linear": (-1, 1), "abrupt": (-1, 0)}
+"""Of each transition the penetrations at which its law has a seam, in boundary layers, beside the onset of contact."""
 
 
 @dataclass(frozen=True)
@@ -135,6 +136,10 @@ class Lubrication(PairEffect):
         if self.transition not in TRANSITIONS:
             yield Fault(f"{self.where}, transition", repr(self.transition), one_of(TRANSITIONS, ""))
 
+    def states(self, scene: Declared) -> Iterator[State]:
+        """Yield the number of seams of the law that are passed; the first step finds it."""
+        yield State("seams", "1", size=sp.S.One)
+
     def element(self, kin: Kinematics) -> Element:
         """Element of the film; outputs: size of its force [N], least thickness [m].
 
@@ -180,10 +185,21 @@ class _Film:
             return self.let(Where(thinning < sp.Rational(1, 2), thinning, sp.Rational(1, 2)), "lost")
         return thinning * (1 - thinning**2 * (1 - thinning / 2))
 
+    @property
+    def passed(self) -> Any:
+        """Number of seams of the law that are passed."""
+        return self.kin.state(f"{self.effect.name}.seams")
+
+    def seam(self, penetration: Any, places: Iterable[Any]) -> Event:
+        """Return the event at the seams of the law, where steps end as at junctions of a track; lengths in boundary layers."""
+        past = [self.let(penetration - place, f"past_{number}") for number, place in enumerate(places)]
+        margin = sp.Mul(*(Where(self.passed > number, way, -way) for number, way in enumerate(past)))
+        return Event("seam", margin, sp.S.One, {"seams": sp.Add(*(Where(way >= 0, 1, 0) for way in past))})
+
     def share(self, within: Any, sinking: Any) -> Any:
         """Share of the film that is left in contact: none beyond a penetration of one layer."""
-        if self.effect.transition == "abrupt":
-            return self.let(Where(sinking > 0, 0, 1), "share")
+        if self.effect.transition == "abrupt":  # by its event: at the onset rounding would decide
+            return self.let(Where(self.passed > 1, 0, 1), "share")
         left = 1 - sinking if self.effect.transition == "linear" else 1 - sinking**2 * (3 - 2 * sinking)
         return self.let(Where(within, left, 0), "share")
 
@@ -206,7 +222,8 @@ class _Squeeze(_Film):
         force = self.named(scale(load, touch.normal), "force")
         forces = self.kin.generalised(force, touch.position, touch.first.body, touch.second.body, self.effect.name)
         outputs = (f"{self.effect.name}.force", "N", sp.Abs(load)), (f"{self.effect.name}.thickness", "m", thickness)
-        return Element(forces, dissipated=self.let(load * approach, "power"), outputs=outputs)
+        seam = self.seam(depth / layer, TRANSITIONS[self.effect.transition])
+        return Element(forces, dissipated=self.let(load * approach, "power"), outputs=outputs, events=(seam,))
 
 
 class _Journal(_Film):
@@ -243,7 +260,12 @@ class _Journal(_Film):
         thickness = self.let(self.clearance * (1 - near * self.let(sp.sqrt(self._squared), "e_size")), "thickness")
         size = self.let(sp.sqrt(dot(force, force)), "force_size")
         outputs = (f"{self.effect.name}.force", "N", size), (f"{self.effect.name}.thickness", "m", thickness)
-        return Element(forces, dissipated=power, outputs=outputs)
+        # of the squared eccentricity, which is smooth at the centre
+        places = ((place + place**2 * self.layer / 2) for place in TRANSITIONS[self.effect.transition])
+        seam = self.seam(
+            (self.let(self._squared / self.clearance**2, "epsilon_squared") - 1) / (2 * self.layer), places
+        )
+        return Element(forces, dissipated=power, outputs=outputs, events=(seam,))
 
     @property
     def _squared(self) -> Any:

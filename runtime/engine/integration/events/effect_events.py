@@ -25,9 +25,10 @@ CASCADE = 4  # most events that follow each other at one instant
 FAR = 1e300
 
 
-def tolerance(run: Mapping[str, Any], t: Any, rate: Any) -> Any:
-    """Return the tolerance (ne) of the margins, not below the rounding of the time."""
-    return LANDING * run["tolerance"] + ROUNDINGS * EPS * (1 + ca.fabs(rate) * ca.fabs(t))
+def tolerance(run: Mapping[str, Any], t: Any, end: Mapping[str, Any]) -> Any:
+    """Return the tolerance (ne) of the margins, not below the rounding of the time and that of the state."""
+    located = LANDING * run["tolerance"] + ROUNDINGS * EPS * (1 + ca.fabs(end["event_rate"]) * ca.fabs(t))
+    return ca.fmax(located, ROUNDINGS * end["event_rounding"])
 
 
 def due(run: Mapping[str, Any], end: Mapping[str, Any]) -> Any:
@@ -35,7 +36,7 @@ def due(run: Mapping[str, Any], end: Mapping[str, Any]) -> Any:
 
     0, or at the end of the run what falling margins are uncertain by: every step rounds them once.
     """
-    uncertain = tolerance(run, end["t"], end["event_rate"]) + EPS * end["steps"]
+    uncertain = tolerance(run, end["t"], end) + EPS * end["steps"]
     return ca.if_else((end["t"] >= run["t_end"]) * (end["event_rate"] < 0), uncertain, 0)
 
 
@@ -53,7 +54,7 @@ def none_possible(start: Mapping[str, Any], end: Mapping[str, Any]) -> Any:
 
 def falls(run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any]) -> tuple[Any, list[Any], Any]:
     """Return, for the events (ne): whether a root is to be located, the cubics, the tolerances."""
-    small, cubic = tolerance(run, end["t"], end["event_rate"]), cubics(start, end)
+    small, cubic = tolerance(run, end["t"], end), cubics(start, end)
     lowest = ca.fmin(ca.fmin(cubic[1], cubic[2]), cubic[3])
     return (cubic[0] > -small / 2) * (lowest < -small) * (start["retakes"] < LOCATED), cubic, small
 
@@ -61,7 +62,7 @@ def falls(run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, An
 def time_to_event(run: Mapping[str, Any], end: Mapping[str, Any], t: Any) -> Any:
     """Return the time [s] until a margin that goes on falling as now is beyond zero."""
     event, rate = end["event"], end["event_rate"]
-    ahead = (event + tolerance(run, t, rate) / 2) / -rate
+    ahead = (event + tolerance(run, t, end) / 2) / -rate
     return ca.mmin(ca.if_else((event > 0) * (rate < 0), ahead, FAR))
 
 

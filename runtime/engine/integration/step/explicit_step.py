@@ -26,7 +26,7 @@ from hertzwerk.runtime.engine.integration.step.many_contacts import (
     stored_energies,
 )
 from hertzwerk.runtime.engine.integration.step.projection import LOST, Closing, closing
-from hertzwerk.runtime.engine.integration.step.rounding_errors import EPS
+from hertzwerk.runtime.engine.integration.step.rounding_errors import EPS, STATE, bounds
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import at_slips, grips, may_slip
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import forces as friction_forces
 from hertzwerk.runtime.engine.integration.step.singular_positions import time_to_singular
@@ -249,6 +249,7 @@ def _flow(model: EngineModel, contacts: Contacts) -> Flow:
         margin_rate[grip.places] = ca.if_else(grip.sticks, hold_rate, sliding)
     event = model.function("margins")(t, q, u, c) if model.ne else ca.SX(0, 1)
     event_rate = ca.jtimes(event, ca.vertcat(t, y), ca.vertcat(1, dy)) if model.ne else event
+    event_rounding = bounds(model.function("margins"), STATE)(t, q, u, c) if model.ne else event
     arguments, names = [t, y, mode, m, c], ARGUMENTS.split()
     return Flow(
         quaternions=model.quaternions,
@@ -261,7 +262,7 @@ def _flow(model: EngineModel, contacts: Contacts) -> Flow:
                     dy,
                     *(gap, gap_rate, gap_acceleration, forces, force_rate, in_range),
                     *(friction, margin, margin_rate, grip_force),
-                    *(event, event_rate),
+                    *(event, event_rate, event_rounding),
                     *_energies(model, contacts, mode, (t, q, u, c)),
                     time_to_singular(model, t, q, dq, c),
                 ]

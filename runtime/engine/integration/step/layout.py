@@ -134,7 +134,8 @@ GRIP_PARTS = ("friction", "margin", "margin_rate", "grip_force")  # likewise, of
 EVENT_PARTS = (
     "event",
     "event_rate",
-)  # likewise, of the effects' events: margins beside their sizes [1], and rates [1/s]
+    "event_rounding",
+)  # likewise, of the effects' events: margins beside their sizes [1], rates [1/s], and bounds of their rounding [1]
 ENERGY_PARTS = ("kinetic", "potential")  # likewise, where a ledger is booked [J]
 END_PARTS = (
     *PAIR_PARTS,
@@ -151,9 +152,9 @@ def layouts(model: EngineModel) -> Layouts:
 
     State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches, slips); gap, gap_rate,
     gap_acceleration and force, force_rate of each pair, friction, margin, margin_rate and grip_force of those with
-    set-valued friction (see `set_valued_friction`) [SI]; event, event_rate of each event of an effect (see `effect_events`); kinetic and potential
-    energy [J] where a ledger is booked; ahead [s], the time to a singular position, where loops are closed (see
-    `singular`); pieces of the inputs, and stop [s], where they end;
+    set-valued friction (see `set_valued_friction`) [SI]; event, event_rate and event_rounding of each event of an effect (see
+    `effect_events`); kinetic and potential energy [J] where a ledger is booked; ahead [s], the time to a singular position,
+    where loops are closed (see `singular`); pieces of the inputs, and stop [s], where they end;
     h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class (see `contact_classes`), status;
     method, pressure, wary, stiffness (see `method_choice`); accepted, fresh_contact (a contact has just begun),
     after_rejection; then counters.

@@ -232,7 +232,7 @@ def test_a_hybrid_film_has_its_share_of_the_force_at_one_layer(transition, left)
 
     def force(e):
         q, u = state((e, 0), (0.01, 0))
-        return model.call("applied", t=0.0, q=q, u=u)[0]
+        return model.call("applied", t=0.0, q=np.append(q, (e >= C - LAYER) + (e >= C)), u=u)[0]
 
     least = by_quadrature("short_bearing", (C - LAYER, 0), (0.01, 0))[0]
     assert force(C - 1.5 * LAYER) == pytest.approx(

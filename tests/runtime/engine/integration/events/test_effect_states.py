@@ -235,6 +235,13 @@ def test_a_relay_without_hysteresis_ends_with_what_it_has():
     assert np.max(np.abs(run["slide.speed"])) < 1e-8
 
 
+def test_an_event_is_not_located_below_the_rounding_of_its_margin():
+    """A film of 1 um at 10 mm: one digit of the position is 2e-12 of the margin, more than the tolerance here."""
+    run = simulate("ball_on_oil", duration="1.74 ms", tolerance=1e-13)
+    assert run.outcome.name == "finished" and len(run.t) < 200
+    assert run["oil.seams"][-1] == 1
+
+
 def test_events_follow_each_other_at_one_instant():
     """A latch closes when another has, which closes at a known time; both stay closed."""
     first = Latch("first", "slide", 1 - hd.speed_of("slide") / hd.Parameter("limit", "m/s", 1.0))
