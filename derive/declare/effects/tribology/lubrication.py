@@ -191,7 +191,7 @@ class _Film:
         return self.kin.state(f"{self.effect.name}.seams")
 
     def seam(self, penetration: Any, places: Iterable[Any]) -> Event:
-        """Return the event at the seams of the law, where steps end as at junctions of a track; lengths in boundary layers."""
+        """Return the event at the seams of the law, where steps end; lengths in boundary layers."""
         past = [self.let(penetration - place, f"past_{number}") for number, place in enumerate(places)]
         margin = sp.Mul(*(Where(self.passed > number, way, -way) for number, way in enumerate(past)))
         return Event("seam", margin, sp.S.One, {"seams": sp.Add(*(Where(way >= 0, 1, 0) for way in past))})
