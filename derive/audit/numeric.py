@@ -124,11 +124,8 @@ def numeric(symbols: Sequence[Any], wanted: Any, named: Sequence[tuple[Any, Any]
 
     named  assignments that they use, in order
     """
-    return sp.lambdify(symbols, wanted, [{"Where": _choose}, "mpmath"], cse=lambda of: (named, of))
-
-
-def _choose(condition: Any, a: Any, b: Any) -> Any:
-    return a if condition else b
+    choose = {"Where": lambda condition, a, b: a if condition else b}
+    return sp.lambdify(symbols, wanted, [choose, "mpmath"], cse=lambda of: (named, of))
 
 
 def scale_factor(dimension: Dimension, factors: Sequence[Any], state: State) -> Any:

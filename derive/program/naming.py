@@ -44,7 +44,7 @@ def names_in_words(
 
 
 def _sum(expression: Any, names: Mapping[str, str]) -> str | None:
-    terms = [("minus", _product(-term, names)) if _negative(term) else ("plus", _product(term, names))
+    terms = [("minus", _product(-term, names)) if term.as_coeff_Mul()[0] < 0 else ("plus", _product(term, names))
              for term in expression.args]  # fmt: skip
     terms.sort(key=lambda term: term[0] == "minus")  # as they are printed
     texts = [text for _, text in terms if text is not None and not _compound(text)]
@@ -98,10 +98,6 @@ def _atom(node: Any, names: Mapping[str, str]) -> str | None:
 
 def _compound(text: str) -> bool:
     return any(joint in text for joint in _JOINTS)
-
-
-def _negative(term: Any) -> bool:
-    return bool(term.as_coeff_Mul()[0] < 0)
 
 
 def _below(factor: Any) -> bool:

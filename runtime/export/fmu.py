@@ -140,13 +140,8 @@ def _variables(export: Contents, fmi: int) -> Iterator[tuple[Attributes, bool, R
         yield (
             attributes,
             True,
-            Row(f"{row.name}.rate", per_second(row.unit), 0.0, f"rate of {row.name}, with which it goes on"),
+            Row(f"{row.name}.rate", f"{row.unit}/s", 0.0, f"rate of {row.name}, with which it goes on"),
         )
-
-
-def per_second(unit: str) -> str:
-    """Return the unit of a rate."""
-    return f"{unit}/s"
 
 
 def _define(element: ElementTree.Element, text: str, variables: list[tuple[Attributes, bool, Row]]) -> None:

@@ -16,7 +16,6 @@ from hertzwerk.derive.equations.module.equation_system import System
 from hertzwerk.derive.equations.module.output_functions import output_rows, posed_names
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.equations.motion.loop_closure import Constraint
-from hertzwerk.derive.expressions.algebra.splines import Table
 from hertzwerk.derive.expressions.parameter import Interval, Parameter
 from hertzwerk.derive.program.expression_text import table_name
 
@@ -64,13 +63,8 @@ def tables(system: System) -> Mapping[str, Any]:
         "LANDMARKS": tuple(landmark.row for landmark in system.landmarks),
         "FAMILIES": (),
         **({"WORN": _worn(system)} if system.worn else {}),
-        **{table_name(table): table.pieces() for table in _tables_used(scene)},
+        **{table_name(table): table.pieces() for slot in scene.slots() for table in tables_in(slot.value)},
     }
-
-
-def _tables_used(scene: Scene) -> list[Table]:
-    """Tables used in the scene's expressions."""
-    return list(dict.fromkeys(table for slot in scene.slots() for table in tables_in(slot.value)))
 
 
 def _events(system: System) -> tuple[Any, ...]:

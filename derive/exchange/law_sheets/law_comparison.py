@@ -136,7 +136,7 @@ def _at(law: StiffnessLaw, depth: Any, clearance: Any, exponent: float | None) -
     si, in_mm = (_values(law, clearance, exponent, units) for units in (SI, MILLIMETRES))
     reach = mp.inf if law.reach is None else evaluate(law.reach, si)
     forces = (evaluate(law.force, {**v, d: depth / u}) for v, u in ((si, 1), (in_mm, MILLIMETRES[1])))
-    first, second = (_real(force) if depth < reach else math.nan for force in forces)
+    first, second = (float(f) if depth < reach and mp.im(f) == 0 else math.nan for f in forces)
     return first, second, float(reach)
 
 
@@ -151,10 +151,6 @@ def _values(law: StiffnessLaw, clearance: Any, exponent: float | None, units: Se
     numbers |= {} if exponent is None else {"n": mpf(repr(exponent))}
     symbols = (*law.parameters, *law.geometry)
     return values_of(law, symbols, numbers, lambda unit: scale_factor(Dimension.from_unit(unit), units, {}))
-
-
-def _real(value: Any) -> float:
-    return float(value) if mp.im(value) == 0 else math.nan
 
 
 # -- scenes ------------------------------------------------------------------------------------------------------------

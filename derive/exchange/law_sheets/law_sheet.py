@@ -25,7 +25,6 @@ from hertzwerk.derive.exchange.law_sheets.free_impact import (
 from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.expressions.algebra.notation import latex_name, latex_of, text_of
 from hertzwerk.derive.expressions.dimension.dimension import ONE
-from hertzwerk.derive.expressions.parameter import Interval
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import (
     FORMS,
@@ -356,11 +355,9 @@ def _entries(law: Law) -> Iterator[Entry]:
             else "contact"
         )
         limits = [ranges.get((symbol, "defined"), symbol.limit), ranges.get((symbol, "recommended"))]
-        yield Entry(symbol.name, symbol.unit, symbol.meaning, origin, *map(_range_text, limits))
-
-
-def _range_text(interval: Interval | None) -> str:
-    return "" if interval is None else str(interval)
+        yield Entry(
+            symbol.name, symbol.unit, symbol.meaning, origin, *("" if one is None else str(one) for one in limits)
+        )
 
 
 # -- local exponent ----------------------------------------------------------------------------------------------------

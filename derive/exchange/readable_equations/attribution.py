@@ -106,17 +106,13 @@ class Attribution:
         """
         names = {*draft.effects, *(name for part in draft.parts for name in part.effect.split(", "))}
         for expression in draft.expressions():
-            names |= self._effects_in(expression)
+            names |= {self._marked.effect_of[s] for s in symbols_in(expression) if s in self._marked.effect_of}
         names |= {self._of_contact(pair, draft, drafts) for pair in self._pairs if draft.section == contact_title(pair)}
         if draft.section in (LEDGER, ENERGY):
             names |= {effect.name for effect in self._scene.all(EnergyLedger)}
         return tuple(name for name in self._effects if name in names)
 
     # -- by the marks ----------------------------------------------------------------------------------------------
-
-    def _effects_in(self, expression: Any) -> set[str]:
-        """Effects whose parameters an expression contains."""
-        return {self._marked.effect_of[s] for s in symbols_in(expression) if s in self._marked.effect_of}
 
     def _dependencies(self, expression: Any) -> set[str]:
         """Effects that an expression depends on, directly or through intermediate results."""

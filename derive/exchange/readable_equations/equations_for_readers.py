@@ -109,7 +109,10 @@ class _Reader:
                 for effect, source in sources(self.scene)
             ),
             tuple(self._states(shown)),
-            tuple(self._parameters()),
+            tuple(
+                Symbol(p.name, self.names.latex[p], p.unit, self.names.meaning(p), f"{p.default:g}")
+                for p in self.scene.parameters.values()
+            ),
             tuple(Section(title, self._note(title), tuple(of)) for title, of in sections.items()),
         )
 
@@ -155,10 +158,6 @@ class _Reader:
         for symbol in self.open:
             unit, meaning = units.get(symbol, "N"), self.names.meaning(symbol)
             yield Symbol(symbol.name, self.names.latex[symbol], unit, meaning)
-
-    def _parameters(self) -> Iterator[Symbol]:
-        for p in self.scene.parameters.values():
-            yield Symbol(p.name, self.names.latex[p], p.unit, self.names.meaning(p), f"{p.default:g}")
 
     # -- equations -------------------------------------------------------------------------------------------------
 

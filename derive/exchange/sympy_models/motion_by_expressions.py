@@ -95,7 +95,8 @@ class MotionByExpressions:
 
     def _rotation(self, link: Link) -> Matrix:
         """Rotation matrix from a body's axes to the ground's."""
-        return self.tape.matrix(self._vectors(self.description.places[link.name].axes), f"{link.name}_R")
+        x, y, z = ((self.of(a), self.of(b), self.of(c)) for a, b, c in self.description.places[link.name].axes)
+        return self.tape.matrix((x, y, z), f"{link.name}_R")
 
     def origin(self, link: Link) -> Vector:
         """Position of a body's origin [m]."""
@@ -206,10 +207,6 @@ class MotionByExpressions:
         bent = [self.tape.rate(share, f"{name}_{key}") * self.rows[key].speed for key, share in shares.items()]
         driven = [share * self.rows[key].acceleration for key, share in shares.items() if not self.rows[key].free]
         return self.tape.let(sp.Add(self.tape.rate(rest, f"{name}_rest"), *bent, *driven), name)
-
-    def _vectors(self, matrix: Matrix) -> Matrix:
-        x, y, z = ((self.of(a), self.of(b), self.of(c)) for a, b, c in matrix)
-        return (x, y, z)
 
 
 class EquationsByExpressions(Equations):

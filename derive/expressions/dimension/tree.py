@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
-
-if TYPE_CHECKING:
-    from hertzwerk.derive.expressions.dimension.dimension import Dimension
+from typing import Any
 
 COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
 
@@ -46,19 +43,3 @@ class Node:
         yield self
         for arg in self.args:
             yield from arg.walk()
-
-
-class Tree(Protocol):
-    """Protocol of trees: how a part is quoted, and the value of an exponent."""
-
-    def quote(self, node: Node) -> str:
-        """Text of a node in the form of its origin."""
-
-    def part(self, node: Node, operands: Sequence[int]) -> Node:
-        """Sum or product of some of a node's operands, as far as it can be quoted."""
-
-    def value(self, node: Node, constants: Collection[Any]) -> Any:
-        """Exponent of constants as a SymPy expression."""
-
-    def bounded(self, node: Node, dimension: Dimension) -> Dimension:
-        """The dimension, if its exponents can be compared in bounded time."""

@@ -22,10 +22,11 @@ from hertzwerk.derive.expressions.dimension.dimension import (
     DimensionFault,
     canonical,
 )
+from hertzwerk.derive.expressions.dimension.expression import Expression
 from hertzwerk.derive.expressions.dimension.repair import repair
 from hertzwerk.derive.expressions.dimension.rules import NOUNS, SIGNATURES, Signature
 from hertzwerk.derive.expressions.dimension.symbolic import Symbolic, as_immutable, symbolic
-from hertzwerk.derive.expressions.dimension.tree import Node, Tree
+from hertzwerk.derive.expressions.dimension.tree import Node
 
 _WHOLE = Signature("alike", "same")
 _COMPLEX = dict.fromkeys(
@@ -37,7 +38,7 @@ _COMPLEX = dict.fromkeys(
 class Walker:
     """Walk over trees; the first node without a dimension raises DimensionError."""
 
-    def __init__(self, tree: Tree, table: Mapping[Any, Dimension], constants: Collection[Any]) -> None:
+    def __init__(self, tree: Expression | Symbolic, table: Mapping[Any, Dimension], constants: Collection[Any]) -> None:
         self.tree = tree
         self.table = table
         self.constants = constants

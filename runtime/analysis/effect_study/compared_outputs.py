@@ -69,9 +69,19 @@ def named(run: EngineSolution) -> tuple[Output, ...]:
     ]  # fmt: skip
     if model.k:
         outputs = [
-            Output("peak_force", "N", "peak normal force of all pairs", _peak_force),
+            Output(
+                "peak_force",
+                "N",
+                "peak normal force of all pairs",
+                lambda samples: max((impact.peak_force for impact in samples.run.impacts), default=0.0),
+            ),
             *outputs,
-            Output("impact_rate", "1/s", "contacts begun per time", _impact_rate),
+            Output(
+                "impact_rate",
+                "1/s",
+                "contacts begun per time",
+                lambda samples: len(samples.run.impacts) / samples.run.engine.t_end,
+            ),
             Output("mean_peak_force", "N", "mean of the peak normal force of each contact", _mean_peak_force),
         ]
     journals = [tuple(model.outputs[i] for i in rows) for rows in model.journals.values()]
@@ -141,17 +151,9 @@ _KINDS: dict[str, tuple[str, Callable[[Samples, str], float]]] = {
 # -- what they are -----------------------------------------------------------------------------------------------------
 
 
-def _peak_force(samples: Samples) -> float:
-    return max((impact.peak_force for impact in samples.run.impacts), default=0.0)
-
-
 def _mean_peak_force(samples: Samples) -> float | None:
     peaks = [impact.peak_force for impact in samples.run.impacts]
     return float(np.mean(peaks)) if peaks else None
-
-
-def _impact_rate(samples: Samples) -> float:
-    return len(samples.run.impacts) / samples.run.engine.t_end
 
 
 def _largest(history: History, names: Sequence[str]) -> np.ndarray:

@@ -191,7 +191,7 @@ def curve(trial: Trial, grid: Array | None = None, impact: Impact | None = None)
         law=law.name,
         title=law.title,
         grade=law.grade,
-        parameter="e" if takes_e else _own_text(trial),
+        parameter="e" if takes_e else _OWN[trial.unit].format(trial.parameter),
         prescribed=grid,
         simulated=np.array([simulated(model, trial, float(x) * unit, impact) for x in grid]),
         closed=None if not closed or None in closed else np.array(closed, dtype=float),
@@ -238,7 +238,3 @@ def own_unit(trial: Trial, impact: Impact) -> float:
 
 
 _OWN = {"1/s": "{}*(m^2/(K^2 v0))^(1/5)", "s": "{}/(m^2/(K^2 v0))^(1/5)", "N s/m^2.5": "{}*v0/K"}
-
-
-def _own_text(trial: Trial) -> str:
-    return _OWN[trial.unit].format(trial.parameter)

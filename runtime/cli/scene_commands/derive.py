@@ -77,7 +77,9 @@ def derive(
     from hertzwerk.runtime.system.result_folder import unwritable
 
     if show or as_json:
-        _refuse_beside_show({"--check": check, "--out": out is not None, "--json without --show": not show})
+        beside = {"--check": check, "--out": out is not None, "--json without --show": not show}
+        expected = "--show by itself, or with --json"
+        refuse("derive", [Fault("derive", option, expected) for option, there in beside.items() if there])
     elif coordinates is not None and out is None and not all(map(in_python, targets)):
         expected = "a folder for modules other than those of generated/"
         raise InputError(
@@ -99,13 +101,6 @@ def derive(
     for path in regenerate.write(modules, out):
         line("written", str(path))
     return GOOD
-
-
-def _refuse_beside_show(options: dict[str, bool]) -> None:
-    refuse(
-        "derive",
-        [Fault("derive", option, "--show by itself, or with --json") for option, there in options.items() if there],
-    )
 
 
 def _show(targets: Sequence[str], coordinates: str | None, *, as_json: bool) -> int:

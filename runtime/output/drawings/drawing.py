@@ -77,7 +77,8 @@ class Drawing:
         parts, paper = self.parts, self._paper(axis, symbols)
         for i in self.ghosts:
             parts.draw(paper.faint(), i)
-        self._paths(paper)
+        for mark, way in self.paths:
+            paper.path(way, parts.colours[mark.body])
         parts.draw(paper, 0)
         force_symbols.draw(parts, paper, 0)
         self._furniture(paper, symbols)
@@ -159,10 +160,6 @@ class Drawing:
                 float(np.max(np.ptp(self.parts.flat(self.parts.positions[id(mark)]), axis=0))) / (4 * self.point)
             )
         return 2, 0.0
-
-    def _paths(self, paper: Paper) -> None:
-        for mark, way in self.paths:
-            paper.path(way, self.parts.colours[mark.body])
 
     # -- furniture -----------------------------------------------------------------------------------------------------
 

@@ -97,6 +97,31 @@ def _flatten(axis: Axes, scale: Scale, histories: Sequence[Array], size: float) 
     axis.text(0.99, 0.95, text, transform=axis.transAxes, ha="right", va="top", color=GREY)
 
 
+def panel(
+    axis: Axes,
+    curves: Curves,
+    title: str,
+    unit: str,
+    values: Mapping[str, Array],
+    ideal: Sequence[Array] = (),
+    *,
+    size: float = 0.0,
+    from_zero: bool = False,
+    remark: str = "",
+) -> Scale:
+    """Draw labelled histories over time, as `lines`, under a title with their unit; return the unit."""
+    scale = lines(axis, curves, unit, values, ideal, size=size)
+    if from_zero:
+        axis.set_ylim(bottom=0)
+    over_time(axis, curves, f"{labelled(title, scale)}{remark}")
+    return scale
+
+
+def labelled(text: str, scale: Scale) -> str:
+    """Return a text with a unit; that of a plain number is not written."""
+    return text if scale.unit == "1" else f"{text} [{scale.unit}]"
+
+
 def over_time(axis: Axes, curves: Curves, title: str) -> None:
     """Set title, legend and time axis of a panel."""
     axis.set_title(title)

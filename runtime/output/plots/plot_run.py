@@ -6,7 +6,7 @@ that affect trust in a picture, an unchecked law or a law outside its range, sta
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from itertools import pairwise
 from pathlib import Path
@@ -23,15 +23,7 @@ from hertzwerk.runtime.engine.solution.history import History
 from hertzwerk.runtime.output.plots.arrangement import Arrangement
 from hertzwerk.runtime.output.plots.curves import Curves, impact_curves
 from hertzwerk.runtime.output.plots.oil_films import films
-from hertzwerk.runtime.output.plots.plot_panel import (
-    CONSTANT,
-    LEGEND_ROOM,
-    caption,
-    empty_panel,
-    legend,
-    lines,
-    over_time,
-)
+from hertzwerk.runtime.output.plots.plot_panel import CONSTANT, LEGEND_ROOM, caption, empty_panel, legend, panel
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, STYLE, VERMILLION
 from hertzwerk.runtime.output.plots.save_figure import save_png
 from hertzwerk.runtime.output.plots.unit_prefixes import Scale, scale_of
@@ -53,6 +45,7 @@ PEAKS_CUT = 2.5  # accelerations are shown up to this multiple of the ideal mech
 
 
 Panel: TypeAlias = Callable[["Axes", Curves], object]
+ImpactPanel: TypeAlias = Callable[["Axes", "Impact", Array, Array, Array], object]
 
 
 def plot(run: EngineSolution, *names: str) -> Figure:
@@ -77,8 +70,7 @@ def histories(run: EngineSolution, *names: str) -> Figure:
         figure = Figure(figsize=(9.5, 2.3 * len(names) + 0.8), layout=Arrangement())
         axes = figure.subplots(len(names), 1, squeeze=False).ravel()
         for axis, name, of in zip(axes, names, values, strict=True):
-            scale = lines(axis, curves, run.engine.history.units.get(name, "1"), {name: of})
-            over_time(axis, curves, f"{name} [{scale.unit}]")
+            panel(axis, curves, name, run.engine.history.units.get(name, "1"), {name: of})
         caption(figure, run, run.engine.model.module.SUMMARY, curves.notes)
     return figure
 
@@ -154,14 +146,17 @@ def _pair(curves: Curves, name: str) -> Figure:
             _normal_force(figure.add_subplot(grid[0, -1]), curves, name)
             below = figure.add_subplot(grid[1, -1])
             if impact is None and film is not None:
-                _thickness(below, curves, film)
+                thickness = {film: curves[f"{film}.thickness"]}
+                panel(
+                    below, curves, "Least thickness of the film", "m", thickness, from_zero=True, remark="; no contact"
+                )
             else:
-                _first_impact(below, run, impact)
+                _first_impact(run, impact, {below: _impact_force})
         else:
             grid = figure.add_gridspec(2, 2)
             _gap(figure.add_subplot(grid[0, :]), curves, name)
-            _first_impact(figure.add_subplot(grid[1, 0]), run, impact)
-            _loop(figure.add_subplot(grid[1, 1]), run, impact)
+            below, beside = (figure.add_subplot(grid[1, k]) for k in (0, 1))
+            _first_impact(run, impact, {below: _impact_force, beside: _impact_loop})
         laws = [text for effect, _, text in run.engine.model.module.EFFECTS if effect in (name, film)]
         caption(figure, run, ", ".join([name, *laws]), [note for note in curves.notes if note != curves.no_ideal])
     return figure
@@ -198,16 +193,14 @@ def _motion(axis: Axes, curves: Curves, unit: str, order: int) -> Scale:
     motions = [motion for motion in curves.kinds[unit] if len(motion.names) > order]
     names = tuple(motion.names[order] for motion in motions)
     values = {motion.joint: curves[name] for motion, name in zip(motions, names, strict=True)}
-    ideal = _ideal(curves, unit, order)
-    scale = lines(axis, curves, motions[0].units[order], values, ideal, size=curves.size(names))
-    over_time(axis, curves, _titled(KINDS[unit][order], scale, curves, list(values)))
-    return scale
+    ideal, size = _ideal(curves, unit, order), curves.size(names)
+    title = KINDS[unit][order] if curves.ideal is not None else _of_one(KINDS[unit][order], values)
+    return panel(axis, curves, title, motions[0].units[order], values, ideal, size=size)
 
 
-def _titled(title: str, scale: Scale, curves: Curves, labels: Sequence[str]) -> str:
+def _of_one(title: str, values: Mapping[str, Array]) -> str:
     """Return the title of a panel, with the name of its only curve, which needs no legend."""
-    alone = f" of {labels[0]}" if len(labels) == 1 and curves.ideal is None else ""
-    return f"{title}{alone} [{scale.unit}]" if scale.unit != "1" else f"{title}{alone}"
+    return f"{title} of {next(iter(values))}" if len(values) == 1 else title
 
 
 def _ideal(curves: Curves, unit: str, order: int) -> list[Array]:
@@ -224,8 +217,7 @@ def _deviations(axis: Axes, curves: Curves, unit: str) -> None:
     positions = zip(curves.kinds[unit], _ideal(curves, unit, 0), strict=True)
     values = {motion.joint: curves[motion.names[0]] - ideal for motion, ideal in positions}
     size = curves.size(tuple(motion.names[0] for motion in curves.kinds[unit]))
-    scale = lines(axis, curves, unit, values, size=size)
-    over_time(axis, curves, f"{KINDS[unit][0]} minus that of the ideal mechanism [{scale.unit}]")
+    panel(axis, curves, f"{KINDS[unit][0]} minus that of the ideal mechanism", unit, values, size=size)
 
 
 def _sags(curves: Curves) -> list[str]:
@@ -236,21 +228,15 @@ def _sags(curves: Curves) -> list[str]:
 
 def _bending(axis: Axes, curves: Curves) -> None:
     sags = {name: curves[name] for name in _sags(curves)}
-    scale = lines(axis, curves, "m", sags)
-    over_time(axis, curves, f"Sag of rods from the line between their ends [{scale.unit}]")
+    panel(axis, curves, "Sag of rods from the line between their ends", "m", sags)
 
 
 def _forces(axis: Axes, curves: Curves) -> None:
     oils = films(curves.run.engine.model)
     contacts = {name: curves[f"{name}.normal_force"] for name in curves.run.engine.model.pairs}
-    scale = lines(axis, curves, "N", contacts | {f"film, {oil}": curves[f"{oil}.force"] for oil in oils.values()})
-    axis.set_ylim(bottom=0)
-    title = (
-        "Contact and film force"
-        if oils
-        else f"Contact force{f' of {next(iter(contacts))}' if len(contacts) == 1 else ''}"
-    )
-    over_time(axis, curves, f"{title} [{scale.unit}]")
+    title = "Contact and film force" if oils else _of_one("Contact force", contacts)
+    of_films = {f"film, {oil}": curves[f"{oil}.force"] for oil in oils.values()}
+    panel(axis, curves, title, "N", contacts | of_films, from_zero=True)
 
 
 def _friction_forces(curves: Curves) -> list[str]:
@@ -260,22 +246,13 @@ def _friction_forces(curves: Curves) -> list[str]:
 
 def _friction(axis: Axes, curves: Curves) -> None:
     forces = {name.removesuffix(".friction_force"): curves[name] for name in _friction_forces(curves)}
-    scale = lines(axis, curves, "N", forces)
-    over_time(axis, curves, f"Friction force{f' of {next(iter(forces))}' if len(forces) == 1 else ''} [{scale.unit}]")
+    panel(axis, curves, _of_one("Friction force", forces), "N", forces)
 
 
 def _normal_force(axis: Axes, curves: Curves, name: str) -> None:
     film = films(curves.run.engine.model).get(name)
-    values = {"contact": curves[f"{name}.normal_force"]}
-    scale = lines(axis, curves, "N", values | ({"film": curves[f"{film}.force"]} if film else {}))
-    axis.set_ylim(bottom=0)
-    over_time(axis, curves, f"{'Film and normal force' if film else 'Normal force'} [{scale.unit}]")
-
-
-def _thickness(axis: Axes, curves: Curves, film: str) -> None:
-    scale = lines(axis, curves, "m", {film: curves[f"{film}.thickness"]})
-    axis.set_ylim(bottom=0)
-    over_time(axis, curves, f"Least thickness of the film [{scale.unit}]; no contact")
+    values = {"contact": curves[f"{name}.normal_force"]} | ({"film": curves[f"{film}.force"]} if film else {})
+    panel(axis, curves, "Film and normal force" if film else "Normal force", "N", values, from_zero=True)
 
 
 def _energy(axis: Axes, curves: Curves) -> None:
@@ -302,14 +279,12 @@ def _energy(axis: Axes, curves: Curves) -> None:
             closure = f"constant to {max(residual, CONSTANT):.1g}"
     drawn = {label: values for label, values in parts.items() if np.max(np.abs(values)) > NOTHING * moved}
     drawn["mechanical"] = parts["mechanical"]
-    scale = lines(axis, curves, "J", drawn, size=moved)
-    over_time(axis, curves, f"Energy since the start [{scale.unit}], {closure}")
+    panel(axis, curves, "Energy since the start", "J", drawn, size=moved, remark=f", {closure}")
 
 
 def _gap(axis: Axes, curves: Curves, name: str) -> None:
-    scale = lines(axis, curves, "m", {name: curves[f"{name}.gap"]})
+    panel(axis, curves, "Gap", "m", {name: curves[f"{name}.gap"]})
     axis.axhline(0, color=GREY, linewidth=0.8)
-    over_time(axis, curves, f"Gap [{scale.unit}]")
 
 
 def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], view: tuple[str, str]) -> None:
@@ -343,37 +318,35 @@ def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], 
     arrangement.legend_below(axis, columns=2)
 
 
-def _first_impact(axis: Axes, run: EngineSolution, impact: Impact | None) -> None:
-    if impact is None:
-        empty_panel(axis, "no impact")
-        return
-    t, force, _ = impact_curves(run, impact)
-    if len(t) < 2:
+def _first_impact(run: EngineSolution, impact: Impact | None, panels: Mapping[Axes, ImpactPanel]) -> None:
+    """Draw the first impact of a pair into panels; where it is not resolved, they state so."""
+    text = "no impact"
+    if impact is not None:
+        drawn = impact_curves(run, impact)
+        if len(drawn[0]) > 1:
+            for axis, draw in panels.items():
+                draw(axis, impact, *drawn)
+                axis.set_ylim(bottom=0)
+            return
         scale = scale_of("N", impact.peak_force)
-        empty_panel(axis, UNRESOLVED.format(impact.peak_force / scale.factor, scale.unit))
-        return
+        text = UNRESOLVED.format(impact.peak_force / scale.factor, scale.unit)
+    for axis in panels:
+        empty_panel(axis, text)
+
+
+def _impact_force(axis: Axes, impact: Impact, t: Array, force: Array, _: Array) -> None:
     time, start, scale = scale_of("s", t[-1]), scale_of("s", impact.t), scale_of("N", force)
     axis.plot(time(t), scale(force), color=BLUE, linewidth=1.4)
     axis.fill_between(time(t), scale(force), color=BLUE, alpha=0.12, linewidth=0)
-    axis.set_ylim(bottom=0)
     axis.set_title(f"First impact: normal force [{scale.unit}]")
     onset = f"its onset at {impact.t / start.factor:.6g} {start.unit}"
     axis.set_xlabel(f"time [{time.unit}] since {onset}; approach speed {impact.speed:.4g} m/s")
 
 
-def _loop(axis: Axes, run: EngineSolution, impact: Impact | None) -> None:
-    if impact is None:
-        empty_panel(axis, "")
-        return
-    t, force, penetration = impact_curves(run, impact)
-    if len(t) < 2:
-        scale = scale_of("N", impact.peak_force)
-        empty_panel(axis, UNRESOLVED.format(impact.peak_force / scale.factor, scale.unit))
-        return
+def _impact_loop(axis: Axes, _: Impact, t: Array, force: Array, penetration: Array) -> None:
     scale, length = scale_of("N", force), scale_of("m", penetration)
     axis.plot(length(penetration), scale(force), color=BLUE, linewidth=1.4)
     axis.fill(length(penetration), scale(force), color=BLUE, alpha=0.12, linewidth=0)
-    axis.set_ylim(bottom=0)
     axis.set_title(f"First impact: force over penetration [{scale.unit}]")
     axis.set_xlabel(f"penetration [{length.unit}]; the area is the energy dissipated")
 

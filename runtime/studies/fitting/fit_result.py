@@ -284,7 +284,9 @@ class Fit(Estimates):
 
     def details(self) -> Iterator[tuple[str, str]]:
         """Yield identification, residuals and derivatives."""
-        yield "identified", self._identified()
+        values = ", ".join(f"{s:.3g}" for s in self.known.singular_values)
+        unit = "1 over the standard deviation, in half ranges or factors of e"
+        yield "identified", f"singular values {values} of the scaled Jacobian ({unit})"
         if pairs := list(self._pairs()):
             yield "correlated", ", ".join(pairs)
         for signal in self.signals:
@@ -307,10 +309,6 @@ class Fit(Estimates):
         from hertzwerk.runtime.studies.fitting import plot_fit
 
         return plot_fit.figure(self)
-
-    def _identified(self) -> str:
-        values = ", ".join(f"{s:.3g}" for s in self.known.singular_values)
-        return f"singular values {values} of the scaled Jacobian (1 over the standard deviation, in half ranges or factors of e)"
 
     def _pairs(self) -> Iterator[str]:
         correlation, free = self.known.correlation, self.known.free

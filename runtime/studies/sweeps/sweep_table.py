@@ -360,7 +360,11 @@ class Sweep:
             for name, values in self.read(*self.names).items()
         }
         first = self.rows[0].stated if self.rows else {}
-        same = {f"parameter.{name}": _value_text(value) for name, value in first.items() if name not in self.varied}
+        same = {
+            f"parameter.{name}": " ".join(map(str, value)) if isinstance(value, tuple) else str(value)
+            for name, value in first.items()
+            if name not in self.varied
+        }
         about = {"scene": self.scene, "outcome": self.outcome.name, "hertzwerk": versions()["hertzwerk"]}
         grid = {name: np.array(values) for name, values in self.axes.items()}
         points = {
@@ -415,10 +419,6 @@ def _si(value: ValueWithUnit, declared: str) -> float:
     number, text = value
     unit, wanted = parse_unit(text), parse_unit(declared or "1")
     return unit.to_si(number) if unit.exponents == wanted.exponents or wanted.free_names else math.nan
-
-
-def _value_text(value: Value) -> str:
-    return " ".join(map(str, value)) if isinstance(value, tuple) else str(value)
 
 
 def _cell(value: float | str) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import Protocol
+from typing import TypeAlias
 
 import numpy as np
 
@@ -67,30 +67,12 @@ class MeasuredSeries:
     parameters: Mapping[str, Value] = field(default_factory=dict)
 
 
-class _Sight(Protocol):
-    """Measured table, and statistics of it and of runs alike.
+class _OverTime:
+    """Samples over time, and runs as the instrument sees them at the same spacing.
 
     times    (n,) [s] of the measured rows, increasing; channels: what is measured; kinds: of statistics that there are
     least    shortest interval [s] that statistics are cut by; lasts: time [s] of runs as long
     """
-
-    times: Array
-    channels: tuple[Channel, ...]
-    kinds: tuple[str, ...]
-    least: float
-    lasts: float
-
-    def measured(self, moments: Sequence[SeriesMoment], start: float, interval: float) -> SeriesStatistics:
-        """Return statistics of what was measured after a start [s]."""
-
-    def of(
-        self, run: EngineSolution, moments: Sequence[SeriesMoment], skip: float | None, interval: float
-    ) -> SeriesStatistics:
-        """Return statistics of a run after its transient [s]."""
-
-
-class _OverTime:
-    """Samples over time, and runs as the instrument sees them at the same spacing."""
 
     kinds = KINDS
 
@@ -140,6 +122,9 @@ class _OfImpacts:
         return impact_statistics(times, values, moments, span, interval)
 
 
+Sight: TypeAlias = _OverTime | _OfImpacts
+
+
 def _noisy(samples: Array, channels: Sequence[Channel]) -> Array:
     """Return samples (n, channels) with the noise of their sensors."""
     noise = np.array([channel.noise or 0.0 for channel in channels])
@@ -154,7 +139,7 @@ class SeriesMoments:
     values    that the runs beside it are made at
     """
 
-    sight: _Sight
+    sight: Sight
     names: tuple[str, ...]
     units: tuple[str, ...]
     moments: tuple[SeriesMoment, ...]
@@ -234,7 +219,7 @@ def read_series(
     return tuple(moments) if len(faults) == wrong else ()
 
 
-def _sight(model: EngineModel, series: MeasuredSeries, faults: list[Fault]) -> _Sight | None:
+def _sight(model: EngineModel, series: MeasuredSeries, faults: list[Fault]) -> Sight | None:
     """Return a measured table beside what it is of; bad input is appended to `faults`."""
     if not isinstance(series.map, Mapping | None):
         faults.append(Fault("map", shown(series.map), 'histories by column, such as {"force": "floor.normal_force"}'))
@@ -277,7 +262,7 @@ def _moments(
     model: EngineModel,
     names: Sequence[str],
     labels: Sequence[str],
-    sight: _Sight,
+    sight: Sight,
     skip: float | None,
     values: Mapping[str, Value],
     faults: list[Fault],

@@ -73,17 +73,9 @@ class Tasks:
         return task
 
 
-class Flag(Protocol):
-    """Flag that runs look at; where it is true they stop."""
-
-    @property
-    def value(self) -> int:
-        """Whether to stop."""
-
-
 @dataclass
 class LocalFlag:
-    """Flag within one process."""
+    """Flag within one process that runs look at; where its value is true they stop."""
 
     value: int = 0
 
@@ -103,7 +95,7 @@ class Job:
     outputs: list[Output]
     row_arrays: RowArrays | None = None
     foreseen: float = 0.0
-    stop: Flag = field(default_factory=LocalFlag)
+    stop: Any = field(default_factory=LocalFlag)
     compiled: bool = False
     choices: Choices = NO_CHOICES
 
@@ -259,7 +251,7 @@ def _sent(
     outputs: list[tuple[str, Own | None]],
     row_arrays: RowArrays | None,
     foreseen: float,
-    stop: Flag,
+    stop: Any,
     choices: Choices,
 ) -> Job:
     return Job(model, settings, named(model, outputs), row_arrays, foreseen, stop, choices=choices)
