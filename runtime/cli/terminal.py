@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import contextlib
+import io
 import shutil
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Self, TypeVar
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 import click
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.cli import line_wrapping
 from hertzwerk.runtime.system.digests import json_text
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Written = TypeVar("Written")
 Item = TypeVar("Item")
@@ -106,6 +110,19 @@ def conclude(
         if written is not None:
             line("written", f"{written[0]}/ ({', '.join(written[1])})")
     return report_missing(missing)
+
+
+def draw_into(out: Path | None, picture: Callable[[], Figure], *, announced: bool) -> None:
+    """Write a picture as PNG, if a file is given."""
+    if out is None:
+        return
+    from hertzwerk.runtime.engine.solution.solution import write
+
+    content = io.BytesIO()
+    picture().savefig(content, format="png", dpi="figure")
+    path = write(out, content.getvalue(), overwrite=False)
+    if announced:
+        line("written", str(path))
 
 
 def report_missing(missing: Sequence[str]) -> int:

@@ -29,8 +29,7 @@ from hertzwerk.runtime.engine.run.single_run import CLOSE, LEAST_STEPS
 from hertzwerk.runtime.engine.sensitivity.readout import Expressions
 from hertzwerk.runtime.engine.solution.outcome import FRICTION_LOCKS, said_of
 from hertzwerk.runtime.engine.start.assembly import CLOSED, ITERATIONS, RANK, residuals
-from hertzwerk.runtime.export.export_contents import Contents, Row, contents, name_faults
-from hertzwerk.runtime.export.export_request import ExportRequest
+from hertzwerk.runtime.export.export_contents import Contents, ExportRequest, Row, contents, name_faults
 from hertzwerk.runtime.system.result_folder import new_folder
 from hertzwerk.runtime.system.versions import versions
 

@@ -6,7 +6,7 @@ import keyword
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -15,14 +15,15 @@ from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import NO_PAIR
 from hertzwerk.runtime.engine.integration.tableaux.methods import SUNDIALS
+from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import EngineModel
-from hertzwerk.runtime.engine.run.run_request import read
+from hertzwerk.runtime.engine.model.signal import constant
+from hertzwerk.runtime.engine.run.run_request import Settings, read
 from hertzwerk.runtime.engine.run.single_run import APPROACH_FLOOR, set_up
 from hertzwerk.runtime.engine.solution.history import units_of
 from hertzwerk.runtime.engine.solution.step_observers import Needs
 from hertzwerk.runtime.engine.start.assembly import journals
 from hertzwerk.runtime.engine.start.start_values import assembled
-from hertzwerk.runtime.export.export_request import ExportRequest, with_zero_inputs
 from hertzwerk.runtime.output.tables.history_meanings import meaning_of
 from hertzwerk.runtime.simulation import solve
 
@@ -31,6 +32,31 @@ C_WORDS = frozenset(re.findall(r"\w+", """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while main
 """))  # fmt: skip
+
+
+AnyModel = TypeVar("AnyModel", bound=EngineModel)
+
+
+def with_zero_inputs(model: AnyModel) -> AnyModel:
+    """Return a model whose inputs are zero where they have no value: each is set where the export runs."""
+    missing = {name: constant(0.0, "0") for name in model.inputs if name not in model.signals}
+    return model.with_signals({**model.signals, **missing}) if missing else model
+
+
+@dataclass(frozen=True)
+class ExportRequest:
+    """Model to export, the parameters and start that become its defaults, and the settings of its runs.
+
+    outputs    names of histories, readings included, to export beside those of every export
+    fmi        version of FMI
+    """
+
+    model: EngineModel
+    parameters: Mapping[str, Value]
+    initial: Mapping[str, Value]
+    settings: Settings
+    outputs: tuple[str, ...] = ()
+    fmi: int = 3
 
 
 class Row(NamedTuple):

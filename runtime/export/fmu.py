@@ -18,8 +18,7 @@ from hertzwerk.derive.common.units import Unit, parse_unit
 from hertzwerk.runtime.engine.accuracy.error_estimate import LEAST
 from hertzwerk.runtime.engine.integration.loop.c_compilation import NoCompilerError, compile_files
 from hertzwerk.runtime.export.c_library import level, library, number, template
-from hertzwerk.runtime.export.export_contents import Contents, Row, contents, name_faults
-from hertzwerk.runtime.export.export_request import ExportRequest
+from hertzwerk.runtime.export.export_contents import Contents, ExportRequest, Row, contents, name_faults
 from hertzwerk.runtime.system.atomic_files import scratch_folder, write_atomically
 from hertzwerk.runtime.system.result_folder import new_file_faults
 from hertzwerk.runtime.system.versions import versions

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from hertzwerk.derive.common.faults import Fault
-    from hertzwerk.runtime.export.export_request import ExportRequest
+    from hertzwerk.runtime.export.export_contents import ExportRequest
 
 
 def _latex(request: ExportRequest, _: Path) -> str:

@@ -19,17 +19,34 @@ from hertzwerk.derive.declare.scene.periods import period
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.equations.contact.contact_forces import PairKinematics
 from hertzwerk.derive.equations.module.effect_kinematics import Surroundings
-from hertzwerk.derive.equations.module.joint_coordinates import Joints
 from hertzwerk.derive.equations.module.labelled_results import ports_of, vector
 from hertzwerk.derive.equations.module.landmarks import Landmark, landmarks_of
 from hertzwerk.derive.equations.motion.absolute_coordinates import Absolute
+from hertzwerk.derive.equations.motion.constraints import constraints_of
 from hertzwerk.derive.equations.motion.equations_of_motion import equations_of
+from hertzwerk.derive.equations.motion.kinematics import Kinematics
+from hertzwerk.derive.equations.motion.loop_closure import Constraint
 from hertzwerk.derive.equations.motion.massless_motions import resistance_faults
 from hertzwerk.derive.equations.motion.reaction_loads import Carried, nonlinear_fault
 from hertzwerk.derive.equations.motion.spanning_tree import Row
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
 from hertzwerk.derive.laws.elastic_limits import onset_of_yield, speed_limit
 from hertzwerk.derive.program.program import Function, Result, Tape
+
+
+class Joints:
+    """Kinematics of the declared scene in joint coordinates, on the tape of the absolute one."""
+
+    def __init__(self, tape: Tape, absolute: Absolute) -> None:
+        self.absolute = absolute
+        self.scene = absolute.declared
+        self.kin = Kinematics(tape, self.scene, ("joints", "joint_speeds", "joint_accelerations"))
+        self.coordinates, self.speeds = ports_of(self.scene, self.kin)
+
+    @cached_property
+    def loops(self) -> tuple[Constraint, ...]:
+        """Constraints of the declared scene: of loops and couplings."""
+        return constraints_of(self.kin)
 
 
 class System:

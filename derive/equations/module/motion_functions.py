@@ -7,8 +7,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.declare.effects.gravity import Gravity
-from hertzwerk.derive.equations.module.equation_system import System
-from hertzwerk.derive.equations.module.joint_coordinates import Joints
+from hertzwerk.derive.equations.module.equation_system import Joints, System
 from hertzwerk.derive.equations.module.labelled_results import (
     MULTIPLIER_UNITS,
     RATE_UNITS,

@@ -41,7 +41,13 @@ from hertzwerk.derive.exchange.sympy_models.model_equations import (
     points_of,
     reading_of,
 )
-from hertzwerk.derive.exchange.sympy_models.motion_description import Condition, Description, Equations, Linear, Placed
+from hertzwerk.derive.exchange.sympy_models.motion_by_expressions import (
+    Condition,
+    Description,
+    GivenEquations,
+    Linear,
+    Placed,
+)
 from hertzwerk.derive.exchange.sympy_models.to_sympy import TIME
 from hertzwerk.derive.exchange.sympy_models.translation import Naming, name_of
 from hertzwerk.derive.exchange.sympy_models.unit_audit import unit_faults
@@ -238,7 +244,7 @@ class Model:
         quantities += [Varying(f"function {name_of(f)}(t)", v, str(names.table[f])) for f, v in names.moving.items()]
         return Description(
             names.freedoms, names.measured, names.uncounted, rates, tuple(steps), places,
-            Equations(mass, bias, potential), conditions, tuple(quantities), self._contradictions,
+            GivenEquations(mass, bias, potential), conditions, tuple(quantities), self._contradictions,
         )  # fmt: skip
 
     def _loads(self) -> tuple[Loads, ...]:

@@ -15,8 +15,7 @@ import sympy as sp
 from hertzwerk.derive.declare.mechanism.bodies import GROUND, Body, Frame, Point
 from hertzwerk.derive.declare.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.declare.mechanism.mechanism import Mechanism
-from hertzwerk.derive.exchange.sympy_models.motion_by_expressions import MotionByExpressions
-from hertzwerk.derive.exchange.sympy_models.motion_description import Description
+from hertzwerk.derive.exchange.sympy_models.motion_by_expressions import Description, MotionByExpressions
 from hertzwerk.derive.expressions.parameter import Slot
 
 MASSES = ("kg", "g", "mg", "t")

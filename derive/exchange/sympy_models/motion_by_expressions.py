@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
 
@@ -17,8 +18,8 @@ from hertzwerk.derive.equations.motion.equations_of_motion import Equations
 from hertzwerk.derive.equations.motion.kinematics import Kinematics, Motion
 from hertzwerk.derive.equations.motion.loop_closure import Constraint
 from hertzwerk.derive.equations.motion.spanning_tree import Link, Place, Row
-from hertzwerk.derive.exchange.sympy_models.motion_description import Description, Linear
 from hertzwerk.derive.expressions.algebra.vectors import IDENTITY, ZERO, Matrix, Vector, add, cross, dot, scale, sub
+from hertzwerk.derive.expressions.parameter import Slot
 
 Columns = Mapping[str, Vector]
 """Partial velocities by row."""
@@ -28,6 +29,75 @@ _GROUPS = {
     "1": "given_angles",
     "m/s": "given_speeds",
 }  # by unit: one alone may vanish at a position
+
+
+Linear = tuple[Mapping[str, Any], Any]
+"""Expression that is linear in the speeds: coefficient by row, and the rest."""
+
+
+@dataclass(frozen=True, eq=False)
+class Placed:
+    """Motion of a body as expressions: axes, origin [m], velocity [m/s] and angular velocity [rad/s].
+
+    Along the ground's axes. `velocity` and `angular_velocity` are three expressions that are linear in the speeds.
+    """
+
+    axes: Matrix
+    origin: Vector
+    velocity: tuple[Linear, Linear, Linear]
+    angular_velocity: tuple[Linear, Linear, Linear]
+
+    def stays_across(self, k: int) -> bool:
+        """Whether it moves in planes perpendicular to a coordinate axis, by structure."""
+        across = [self.velocity[k], *(self.angular_velocity[i] for i in range(3) if i != k)]
+        still = all(rest == 0 and all(share == 0 for share in shares.values()) for shares, rest in across)
+        return still and self.axes[k][k] == 1
+
+
+@dataclass(frozen=True)
+class Condition:
+    """Constraint: its value, or 0 of one on speeds, and its rate, linear in the speeds.
+
+    unit  m, 1 (an angle), or m/s of a constraint on speeds alone
+    """
+
+    name: str
+    unit: str
+    value: Any
+    rate: Linear
+
+
+@dataclass(frozen=True, eq=False)
+class GivenEquations:
+    """Equations M du/dt + bias = forces, by rows, and the potential energy in them [J]."""
+
+    mass: Mapping[tuple[str, str], Any]
+    bias: Mapping[str, Any]
+    potential: Any = sp.S.Zero
+
+
+@dataclass(frozen=True, eq=False)
+class Description:
+    """Motion and equations as expressions.
+
+    coordinates   freedoms: of one coordinate and its rate, or `given` ones, of a coordinate or a speed alone
+    measured      `given` coordinates with their rates, and speeds without a coordinate (`uncounted`), for effects on them
+    rates         key of a `given` coordinate -> its rate
+    steps         symbols and expressions of what other expressions share, in order
+    quantities    parameters and what varies, with their units
+    contradictions  velocities that are taken as they were set: where, as they were set, and as they follow from positions and axes
+    """
+
+    coordinates: tuple[Freedom, ...]
+    measured: tuple[Freedom, ...]
+    uncounted: tuple[str, ...]
+    rates: Mapping[str, Linear]
+    steps: tuple[tuple[sp.Symbol, Any], ...]
+    places: Mapping[str, Placed]
+    equations: GivenEquations
+    conditions: tuple[Condition, ...]
+    quantities: tuple[Slot, ...]
+    contradictions: tuple[tuple[str, str, str], ...] = ()
 
 
 class MotionByExpressions:

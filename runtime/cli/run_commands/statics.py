@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.common.faults import InputError, refuse
-from hertzwerk.runtime.cli.picture_file import draw_into
 from hertzwerk.runtime.cli.target_options import JSON, VARIATION, Variation, assignments, together
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, draw_into, line, reports_bad_input, table
 from hertzwerk.runtime.system.digests import json_text
 
 if TYPE_CHECKING:

@@ -64,7 +64,7 @@ def export(
     from hertzwerk.runtime.engine.run.run_request import Settings, check
     from hertzwerk.runtime.engine.solution.history import unknown_histories
     from hertzwerk.runtime.engine.start.start_values import split_values
-    from hertzwerk.runtime.export.export_request import ExportRequest, with_zero_inputs
+    from hertzwerk.runtime.export.export_contents import ExportRequest, with_zero_inputs
 
     varied = Variation.taken(target, places)
     wanted = [(each, place) for each in FORMATS if (place := places[each.name])]

@@ -149,7 +149,7 @@ def _compared(
     from hertzwerk.runtime.engine.run.run_request import Settings, check
     from hertzwerk.runtime.engine.start.start_values import split_values
     from hertzwerk.runtime.simulation import solve
-    from hertzwerk.runtime.studies.comparison.matching import match
+    from hertzwerk.runtime.studies.comparison.compare_run import match
 
     values = varied.values(faults)
     stopping.stage("building")

@@ -9,9 +9,8 @@ from typing import Any
 import click
 
 from hertzwerk.derive.common.faults import Fault, refuse
-from hertzwerk.runtime.cli.picture_file import draw_into
 from hertzwerk.runtime.cli.target_options import DURATION, JSON, VARIATION, Variation, number, run_settings
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, reports_bad_input, table
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, draw_into, reports_bad_input, table
 from hertzwerk.runtime.system.digests import json_text
 
 PAIR = "for all contact pairs, or PAIR=VALUE for one"

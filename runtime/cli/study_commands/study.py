@@ -65,8 +65,7 @@ def study(
     from hertzwerk.runtime.cli import page_folder
     from hertzwerk.runtime.engine.inputs.measurement_csv import read_measurement
     from hertzwerk.runtime.engine.model.build import is_file
-    from hertzwerk.runtime.studies.paper.known_studies import NAMES, study_of
-    from hertzwerk.runtime.studies.paper.overlay import laid_over, require_columns
+    from hertzwerk.runtime.studies.paper.study_page import NAMES, laid_over, require_columns, study_of
     from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps, SweepStoppedError
 
     faults: list[Fault] = []

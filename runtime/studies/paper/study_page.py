@@ -1,4 +1,6 @@
-"""Page of a study: question, sentences, tables, charts and verdicts, as plain values.
+"""Studies and their pages: question, sentences, tables, charts and verdicts, as plain values.
+
+A measurement is laid over the panels that show histories which it has.
 
 Nothing here draws or writes: `studies/paper/plot_page.py` draws charts, `cli/page_folder.py` writes a folder.
 """
@@ -9,13 +11,20 @@ import csv
 import io
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from typing import Any, Literal
+from dataclasses import dataclass, field, replace
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
+from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
 from hertzwerk.runtime.system.arrays import Array
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.inputs.measurement_csv import Measurement
 
 Cell = str | int | float | None
 
@@ -189,3 +198,53 @@ class Study:
     question: str
     run: Callable[[bool, Progress, Sweeps], Page]
     histories: Mapping[str, str] = field(default_factory=dict)
+
+
+NAMES = ("exponents", "stiffness", "bouncing", "slider_crank")
+"""Built-in studies: NAME is `STUDY` of `study_NAME.py`."""
+
+
+def study_of(target: str) -> Study:
+    """Return a built-in study, or `study` of a Python file, which is executed; raises InputError."""
+    from hertzwerk.runtime.engine.model.build import defined_by, is_file
+
+    if target in NAMES:
+        return import_module(f"hertzwerk.runtime.studies.paper.study_{target}").STUDY
+    if not is_file(target):
+        raise InputError("study", [unknown("study", target, NAMES, "or a Python file (its name ends in .py)")])
+    own = defined_by(Path(target)).get("study")
+    if not isinstance(own, Study):
+        actual = "no `study`" if own is None else f"`study` of type {type(own).__name__}"
+        raise InputError(target, [Fault(target, actual, "a file that defines `study = Study(name, question, run)`")])
+    return own
+
+
+def require_columns(study: Study, measured: Measurement) -> None:
+    """Raise InputError where a measured unit does not fit, and where a study shows no measured history."""
+    shown = study.histories
+    faults = [
+        Fault(f"column {name}", f"[{measured.units[name]}]", f"a unit like {unit}")
+        for name, unit in shown.items()
+        if name in measured.columns and parse_unit(unit).exponents != measured.unit(name).exponents
+    ]
+    if not shown.keys() & measured.columns.keys():
+        expected = f"some of {', '.join(shown)}" if shown else f"histories of study {study.name}, which states none"
+        faults.append(Fault("columns", ", ".join(measured.columns), expected))
+    refuse(measured.source, faults)
+
+
+def laid_over(page: Page, measured: Measurement) -> Page:
+    """Return a page whose panels of a measured history over time show the measurement too."""
+    charts = (replace(chart, panels=tuple(_over(panel, measured) for panel in chart.panels)) for chart in page.charts)
+    caption = f"Black dots: measured, from {Path(measured.source).name}, as they are, neither filtered nor shifted."
+    return replace(page, charts=tuple(charts), paragraphs=(*page.paragraphs, caption))
+
+
+def _over(panel: Panel, measured: Measurement) -> Panel:
+    name = panel.y.history
+    if panel.x.history != "t" or name not in measured.columns:
+        return panel
+    time, unit = (parse_unit(axis.unit.replace("²", "^2")) for axis in (panel.x, panel.y))
+    there = np.isfinite(measured.columns[name])
+    x, y = measured.times[there] / time.factor, measured.si(name)[there] / unit.factor
+    return replace(panel, curves=(*panel.curves, Curve("measured", x, y, look="measured")))

@@ -17,7 +17,7 @@ from hertzwerk.derive.scenes.slider_crank import c, crank, l, mechanism, r, rod,
 from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.engine.solution.error_scales import error
 from hertzwerk.runtime.export import fmu
-from hertzwerk.runtime.export.export_request import ExportRequest
+from hertzwerk.runtime.export.export_contents import ExportRequest
 from hertzwerk.runtime.loading import engine_model
 
 DURATION, TOLERANCE, STEPS = 6e-3, 1e-9, (30, 100, 300, 1000, 3000)

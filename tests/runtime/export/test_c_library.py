@@ -12,7 +12,7 @@ from hertzwerk import InputError, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.export import c_library
-from hertzwerk.runtime.export.export_request import ExportRequest
+from hertzwerk.runtime.export.export_contents import ExportRequest
 from hertzwerk.runtime.loading import engine_model
 
 TOLERANCE, DURATION = 1e-7, 2.0

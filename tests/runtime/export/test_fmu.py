@@ -17,7 +17,7 @@ import hertzwerk.derive as hd
 from hertzwerk import InputError, simulate
 from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.export import fmu
-from hertzwerk.runtime.export.export_request import ExportRequest
+from hertzwerk.runtime.export.export_contents import ExportRequest
 from hertzwerk.runtime.loading import engine_model
 
 TOLERANCE, DURATION, MASS = 1e-8, 1.0, 0.5

@@ -19,8 +19,7 @@ from hertzwerk.runtime import simulate, simulate_many
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.start.separation import overlaps
-from hertzwerk.runtime.engine.start.start_values import assembled, start_of
-from hertzwerk.runtime.engine.start.stated_start import as_stated
+from hertzwerk.runtime.engine.start.start_values import as_stated, assembled, start_of
 from hertzwerk.runtime.loading import engine_model
 from reference import scenes
 

@@ -9,10 +9,18 @@ from click.testing import CliRunner
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.inputs.measurement_csv import Measurement
-from hertzwerk.runtime.studies.paper.known_studies import study_of
-from hertzwerk.runtime.studies.paper.overlay import laid_over, require_columns
 from hertzwerk.runtime.studies.paper.plot_page import figure
-from hertzwerk.runtime.studies.paper.study_page import Axis, Chart, Curve, Page, Panel, Study
+from hertzwerk.runtime.studies.paper.study_page import (
+    Axis,
+    Chart,
+    Curve,
+    Page,
+    Panel,
+    Study,
+    laid_over,
+    require_columns,
+    study_of,
+)
 
 TIMES = np.array([1e-3, 2e-3, 3e-3])
 

@@ -13,11 +13,21 @@ from click.testing import CliRunner
 from hertzwerk.runtime import Sweep
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.cli.page_folder import markdown
-from hertzwerk.runtime.studies.paper import overlay
-from hertzwerk.runtime.studies.paper.known_studies import NAMES, study_of
-from hertzwerk.runtime.studies.paper.overlay import laid_over
+from hertzwerk.runtime.studies.paper import study_page
 from hertzwerk.runtime.studies.paper.plot_page import figure
-from hertzwerk.runtime.studies.paper.study_page import Axis, Chart, Curve, Page, Panel, Table, Verdict, compared
+from hertzwerk.runtime.studies.paper.study_page import (
+    NAMES,
+    Axis,
+    Chart,
+    Curve,
+    Page,
+    Panel,
+    Table,
+    Verdict,
+    compared,
+    laid_over,
+    study_of,
+)
 from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
 
 FILE = """
@@ -201,7 +211,7 @@ study = Study("beside", "How does it look?", run, {"guide.acceleration": "m/s^2"
 
 def test_a_measurement_is_read_by_the_options_of_the_command(hertzwerk, tmp_path, monkeypatch):
     drawn = []
-    monkeypatch.setattr(overlay, "laid_over", lambda *about: drawn.append(laid_over(*about)) or drawn[-1])
+    monkeypatch.setattr(study_page, "laid_over", lambda *about: drawn.append(laid_over(*about)) or drawn[-1])
     (tmp_path / "beside.py").write_text(MEASURED)
     (tmp_path / "bench.csv").write_text("made by hand\nZeit;CH 2\n0,0;1,5\n0,5;-99\n1,0;2,5\n")
     reading = ["--columns", "guide.acceleration=CH 2", "--units", "Zeit=ms", "--units", "CH 2=km/s^2", "--missing=-99"]
