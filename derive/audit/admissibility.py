@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import product
 from typing import Any
 
 import sympy as sp
@@ -110,13 +111,17 @@ def _with_unit(value: Any, unit: str) -> str:
 # -- tests of each kind ------------------------------------------------------------------------------------------------
 
 
-def faults_of(trial: Trial) -> Iterator[Fault]:
-    """Yield the faults of a law; raises TypeError for an unknown kind of law."""
-    for kind, tests in _TESTS.items():
+@lru_cache(maxsize=256)
+def faults_of(trial: Trial) -> tuple[Fault, ...]:
+    """Return the faults of a law, once for pairs and scenes that are alike; raises TypeError for an unknown kind of law."""
+    for kind, test in _TESTS.items():
         if isinstance(trial.law, kind):
-            yield from tests(trial)
-            return
+            return tuple(test(trial))
     raise TypeError(f"{type(trial.law).__name__} is no kind of law that is known")
+
+
+def _shown(value: Any, unit: str, digits: int = 4) -> str:
+    return "no finite real number" if value is None else f"{mp.nstr(value, digits)} {unit}"
 
 
 def _undefined(trial: Trial, quantity: str, state: Mapping[Any, Any]) -> Fault:
@@ -124,46 +129,46 @@ def _undefined(trial: Trial, quantity: str, state: Mapping[Any, Any]) -> Fault:
                        "State the range it holds in: a `reach`, or limits of the symbols.")  # fmt: skip
 
 
-def _elastic(trial: Trial) -> Iterator[Fault]:
+def _elastic(trial: Trial) -> list[Fault]:
     law, slope = trial.law, _derivative(trial.law.force, d)
     if not law.force.has(d):
-        yield trial.fault("force", {}, f"{law.force}, without d", "a force that rises with the penetration d",
-                          "A contact begins without a force: the penetration is the name d.")  # fmt: skip
-        return
+        return [trial.fault("force", {}, f"{law.force}, without d", "a force that rises with the penetration d",
+                          "A contact begins without a force: the penetration is the name d.")]  # fmt: skip
     limit = trial.max_penetration if law.reach is None else number(law.reach, trial.values)
     if limit is None or limit <= 0:
-        yield trial.fault("reach", {}, "no length above 0" if limit is None else f"{mp.nstr(limit, 4)} m", "a penetration above 0",
-                          "The reach is the penetration up to which the law is defined.")  # fmt: skip
-        return
+        return [trial.fault("reach", {}, "no length above 0" if limit is None else f"{mp.nstr(limit, 4)} m", "a penetration above 0",
+                          "The reach is the penetration up to which the law is defined.")]  # fmt: skip
     points = [(depth, trial.values | {d: depth}) for depth in (limit * part for part in FRACTIONS)]
     forces = [number(law.force, values) for _, values in points]
     undefined = [k for k, (_, values) in enumerate(points) if forces[k] is None or number(slope, values) is None]
     if undefined:
         quantity = "force" if forces[undefined[0]] is None else "slope of the force"
-        yield _undefined(trial, quantity, {d: points[undefined[0]][0]})
-        return
+        return [_undefined(trial, quantity, {d: points[undefined[0]][0]})]
     at_onset = number(law.force, trial.values | {d: limit * ONSET})
     if at_onset is None or abs(at_onset) > LEFT_AT_ONSET * abs(forces[-1]):
-        actual = "no finite real number" if at_onset is None else f"{mp.nstr(at_onset, 4)} N"
-        yield trial.fault("force", {d: mpf(0)}, actual, "0 N, and no jump at the onset",
-                          "A contact begins without a force: omit terms that do not vanish with d.")  # fmt: skip
-        return
+        return [trial.fault("force", {d: mpf(0)}, _shown(at_onset, "N"), "0 N, and no jump at the onset",
+                          "A contact begins without a force: omit terms that do not vanish with d.")]  # fmt: skip
     falling = _end_of_rise(law.force, slope, trial.values, [mpf(0), *(depth for depth, _ in points)], [mpf(0), *forces])
     if falling is not None:
         force = number(law.force, trial.values | {d: falling})
         actual = f"{mp.nstr(force, 4)} N, no longer rising with the penetration"
-        yield trial.fault("force", {d: falling}, actual, "a force above 0 that rises with the penetration",
-                          f"A sign is wrong, or the law ends there: state a `reach` below {mp.nstr(falling, 3)} m.")  # fmt: skip
-        return
-    yield from _stored(trial, points, forces, limit)
-    if law.relation is not None:
-        for (depth, values), force in zip(points, forces, strict=True):
-            back = number(law.relation, values | {F: force})
-            if back is None or abs(back - depth) > AGREEMENT * depth:
-                actual = "no finite real number" if back is None else f"{mp.nstr(back, 6)} m"
-                yield trial.fault("relation", {d: depth, F: force}, actual, f"{mp.nstr(depth, 6)} m, of which `force` is the force",
-                                  "`relation` is d(F) as published, `force` its inverse: one of them is not.")  # fmt: skip
-                return
+        return [trial.fault("force", {d: falling}, actual, "a force above 0 that rises with the penetration",
+                          f"A sign is wrong, or the law ends there: state a `reach` below {mp.nstr(falling, 3)} m.")]  # fmt: skip
+    return [*_stored(trial, points, forces, limit), *_relation(trial, points, forces)]
+
+
+def _relation(trial: Trial, points: list[tuple[Any, Values]], forces: list[Any]) -> list[Fault]:
+    """Test the published relation d(F), if the law has one, against its inverse, the force."""
+    relation = trial.law.relation
+    if relation is None:
+        return []
+    for (depth, values), force in zip(points, forces, strict=True):
+        back = number(relation, values | {F: force})
+        if back is None or abs(back - depth) > AGREEMENT * depth:
+            expected = f"{mp.nstr(depth, 6)} m, of which `force` is the force"
+            return [trial.fault("relation", {d: depth, F: force}, _shown(back, "m", 6), expected,
+                                "`relation` is d(F) as published, `force` its inverse: one of them is not.")]  # fmt: skip
+    return []
 
 
 def _end_of_rise(force: Any, slope: Any, values: Mapping[Any, Any], depths: list[Any], forces: list[Any]) -> Any:
@@ -183,41 +188,41 @@ def _end_of_rise(force: Any, slope: Any, values: Mapping[Any, Any], depths: list
     return None
 
 
-def _stored(trial: Trial, points: list[tuple[Any, Values]], forces: list[Any], limit: Any) -> Iterator[Fault]:
+def _stored(trial: Trial, points: list[tuple[Any, Values]], forces: list[Any], limit: Any) -> list[Fault]:
     """Test the stored energy against the force: its derivative by differences, its value at the onset."""
     stored = trial.law.stored
     if stored is None:
-        return
+        return []
     remedy = "Leave `stored` out: it is then the integral, by Gauss's rule."
     at_onset = number(stored, trial.values | {d: limit * ONSET})
     if at_onset is None or abs(at_onset) > LEFT_AT_ONSET * forces[-1] * limit:
-        actual = "no finite real number" if at_onset is None else f"{mp.nstr(at_onset, 4)} J"
-        yield trial.fault("stored energy", {d: mpf(0)}, actual, "0 J before anything is pressed in", remedy)
-        return
+        return [
+            trial.fault(
+                "stored energy", {d: mpf(0)}, _shown(at_onset, "J"), "0 J before anything is pressed in", remedy
+            )
+        ]
     ratios = []
     for (depth, values), force in zip(points, forces, strict=True):
         step = depth * DIFFERENCE
         above, below = (number(stored, {**values, d: depth + sign * step}) for sign in (1, -1))
         if above is None or below is None:
-            yield _undefined(trial, "stored energy", {d: depth})
-            return
+            return [_undefined(trial, "stored energy", {d: depth})]
         ratios.append((above - below) / (2 * step) / force)
     worst = max(range(len(points)), key=lambda k: abs(ratios[k] - 1))
     if abs(ratios[worst] - 1) > AGREEMENT:
         alike = all(abs(ratio - ratios[0]) <= AGREEMENT * abs(ratios[0]) for ratio in ratios)
         everywhere = f", as everywhere: {mp.nstr(ratios[0], 6)} of it, so a factor is wrong" if alike else ""
         actual = f"a derivative of {mp.nstr(ratios[worst] * forces[worst], 6)} N{everywhere}"
-        yield trial.fault(
-            "stored energy", {d: points[worst][0]}, actual, f"the force, {mp.nstr(forces[worst], 6)} N", remedy
-        )
-        return
+        expected = f"the force, {mp.nstr(forces[worst], 6)} N"
+        return [trial.fault("stored energy", {d: points[worst][0]}, actual, expected, remedy)]
+    return []
 
 
-def _damping(trial: Trial) -> Iterator[Fault]:
+def _damping(trial: Trial) -> list[Fault]:
     """Test that the damping force opposes the penetration rate."""
     law, partner = trial.law, trial.stiffness
     if partner is None:
-        return
+        return []
     limit = partner.max_penetration if partner.law.reach is None else number(partner.law.reach, partner.values)
     slopes = [_derivative(law.resistance, q) for q in (v, d, F) if law.resistance.has(q)]
     tangent = _derivative(partner.law.force, d)
@@ -226,7 +231,7 @@ def _damping(trial: Trial) -> Iterator[Fault]:
         inside = {**partner.values, d: depth}
         pressed = {d: depth, F: number(partner.law.force, inside), k_t: number(tangent, inside)}
         if None in pressed.values():
-            return  # a fault of the stiffness law, reported there
+            return []  # a fault of the stiffness law, reported there
         for onset in (SPEEDS[3], SPEEDS[6]):
             for rate in (sign * speed for speed in SPEEDS for sign in (1, -1)):
                 state = {v: rate, d: depth} | ({v0: onset} if law.resistance.has(v0) else {})
@@ -234,11 +239,10 @@ def _damping(trial: Trial) -> Iterator[Fault]:
                 resistance = number(law.resistance, values)
                 if resistance is None or any(number(slope, values) is None for slope in slopes):
                     quantity = "damping force" if resistance is None else "slope of the damping force"
-                    yield _undefined(trial, quantity, state)
-                    return
+                    return [_undefined(trial, quantity, state)]
                 if resistance * rate < 0:
-                    yield _energy_gain(trial, "damping force", state, resistance, rate)
-                    return
+                    return [_energy_gain(trial, "damping force", state, resistance, rate)]
+    return []
 
 
 def _energy_gain(trial: Trial, quantity: str, state: Mapping[Any, Any], force: Any, speed: Any) -> Fault:
@@ -247,87 +251,78 @@ def _energy_gain(trial: Trial, quantity: str, state: Mapping[Any, Any], force: A
                        "A sign is wrong, or a function that is even in the speed stands where an odd one does: tanh, not cos.")  # fmt: skip
 
 
-def _friction(trial: Trial) -> Iterator[Fault]:
+def _friction(trial: Trial) -> list[Fault]:
     law = trial.law
     if law.memory:
-        yield from _bristle(trial)
-        return
+        return _bristle(trial)
     for load in LOADS:
         pressed = {**trial.values, N: load}
         rest = number(law.force, pressed | {s: mpf(0)})
         if rest is None or rest != 0:
-            actual = "no finite real number" if rest is None else f"{mp.nstr(rest, 4)} N"
-            yield trial.fault("friction force", {s: mpf(0), N: load}, actual, "0 N at rest",
-                              "Friction is odd in s, tanh(s/v_s) for instance: it changes its sign with the direction of sliding.")  # fmt: skip
-            return
+            return [trial.fault("friction force", {s: mpf(0), N: load}, _shown(rest, "N"), "0 N at rest",
+                                "Friction is odd in s, tanh(s/v_s) for instance: it changes its sign with the direction of sliding.")]  # fmt: skip
         for speed in SPEEDS:
             state = {s: speed, N: load}
-            there, back, slope = (
-                number(expression, pressed | {s: at})
-                for expression, at in ((law.force, speed), (law.force, -speed), (_derivative(law.force, s), speed))
-            )
-            if there is None or back is None or slope is None:
-                yield _undefined(trial, "slope of the friction force" if slope is None else "friction force", state)
-                return
-            if there * speed < 0:
-                yield _energy_gain(trial, "friction force", state, there, speed)
-                return
-            if abs(there + back) > AGREEMENT * abs(there):
-                yield trial.fault("friction force", state, f"{mp.nstr(there, 6)} N, and {mp.nstr(back, 6)} N at -s",
-                                  "an odd function of s: the same against either direction",
-                                  "Use s or sign(s) times a function of abs(s).")  # fmt: skip
-                return
-        if not law.modes:
-            yield from _slope_at_rest(trial, pressed, load)
-    if law.holding is not None:
-        holding = number(law.holding, {**trial.values, N: LOADS[0]})
-        if holding is None or holding < 0:
-            actual = "no finite real number" if holding is None else f"{mp.nstr(holding, 4)} N"
-            yield trial.fault("force held at rest", {N: LOADS[0]}, actual, "a force, not below 0", "A sign is wrong.")
-
-
-def _slope_at_rest(trial: Trial, pressed: Values, load: Any) -> Iterator[Fault]:
-    law, tiny = trial.law, SLOWEST
-    stated, there = number(law.slope, pressed | {s: mpf(0)}), number(law.force, pressed | {s: tiny})
-    if stated is None or there is None or abs(there / tiny - stated) > CURVATURE * abs(there / tiny):
-        actual = "no finite real number" if stated is None else f"{mp.nstr(stated, 6)} N s/m"
-        expected = "its derivative there" + ("" if there is None else f", {mp.nstr(there / tiny, 6)} N s/m")
-        yield trial.fault(
-            "slope of the friction force", {s: mpf(0), N: load}, actual, expected, "Correct `slope`, or leave it out."
+            there, back = (number(law.force, pressed | {s: at}) for at in (speed, -speed))
+            if number(_derivative(law.force, s), pressed | {s: speed}) is None:
+                return [_undefined(trial, "slope of the friction force", state)]
+            if faults := _against_sliding(trial, "friction force", state, there, back):
+                return faults
+    held = {N: LOADS[0]}
+    holding = mpf(0) if law.holding is None else number(law.holding, trial.values | held)
+    faults = [] if law.modes else [fault for load in LOADS for fault in _slope_at_rest(trial, load)]
+    if holding is None or holding < 0:
+        faults.append(
+            trial.fault("force held at rest", held, _shown(holding, "N"), "a force, not below 0", "A sign is wrong.")
         )
+    return faults
 
 
-def _bristle(trial: Trial) -> Iterator[Fault]:
+def _against_sliding(trial: Trial, quantity: str, state: Mapping[Any, Any], there: Any, back: Any) -> list[Fault]:
+    """Test a force at a state of sliding, and `back` at the reversed one: against the speed, and odd in it."""
+    if there is None or back is None:
+        return [_undefined(trial, quantity, state)]
+    if there * state[s] < 0:
+        return [_energy_gain(trial, quantity, state, there, state[s])]
+    if abs(there + back) > AGREEMENT * abs(there):
+        return [trial.fault(quantity, state, f"{mp.nstr(there, 6)} N, and {mp.nstr(back, 6)} N at -s",
+                            "an odd function of s: the same against either direction",
+                            "Use s or sign(s) times a function of abs(s).")]  # fmt: skip
+    return []
+
+
+def _slope_at_rest(trial: Trial, load: Any) -> list[Fault]:
+    law, pressed = trial.law, {**trial.values, N: load}
+    stated, there = (
+        number(expression, pressed | {s: at}) for expression, at in ((law.slope, mpf(0)), (law.force, SLOWEST))
+    )
+    if stated is not None and there is not None and abs(there / SLOWEST - stated) <= CURVATURE * abs(there / SLOWEST):
+        return []
+    expected = "its derivative there" + ("" if there is None else f", {mp.nstr(there / SLOWEST, 6)} N s/m")
+    return [trial.fault("slope of the friction force", {s: mpf(0), N: load}, _shown(stated, "N s/m", 6), expected,
+                        "Correct `slope`, or leave it out.")]  # fmt: skip
+
+
+def _bristle(trial: Trial) -> list[Fault]:
     """Test friction with memory: odd in speed and memory together, dissipative in steady sliding."""
     law = trial.law
     ((symbol, rate, size),) = law.memory
     scale = number(size, trial.values)
-    for load in LOADS:
-        for speed in SPEEDS:
-            at = {**trial.values, N: load, s: speed}
-            state = {s: speed, N: load}
-            ends: list[Any] = (
-                [number(rate, at | {symbol: deflected}) for deflected in (mpf(0), scale)] if scale else [None]
-            )
-            if None in ends or ends[0] == ends[-1]:
-                yield _undefined(trial, f"rate of {symbol.name}", state)
-                return
-            settled = scale * ends[0] / (ends[0] - ends[1])  # rates of bristles are linear in the deflection
-            there = number(law.force, at | {symbol: settled})
-            back = number(law.force, {**at, s: -speed, symbol: -settled})
-            if there is None or back is None:
-                yield _undefined(trial, "friction force", state)
-            elif there * speed < 0:
-                yield _energy_gain(trial, "friction force of steady sliding", state, there, speed)
-            elif abs(there + back) > AGREEMENT * abs(there):
-                yield trial.fault("friction force of steady sliding", state, f"{mp.nstr(there, 6)} N, and {mp.nstr(back, 6)} N back",
-                                  "the same against either direction", "Use s or sign(s) times a function of abs(s).")  # fmt: skip
-            else:
-                continue
-            return
+    for load, speed in product(LOADS, SPEEDS):
+        state = {s: speed, N: load}
+        at = trial.values | state
+        ends: list[Any] = [number(rate, at | {symbol: deflected}) for deflected in (mpf(0), scale)] if scale else [None]
+        if None in ends or ends[0] == ends[-1]:
+            return [_undefined(trial, f"rate of {symbol.name}", state)]
+        settled = scale * ends[0] / (ends[0] - ends[1])  # rates of bristles are linear in the deflection
+        there = number(law.force, at | {symbol: settled})
+        back = number(law.force, at | {s: -speed, symbol: -settled})
+        if faults := _against_sliding(trial, "friction force of steady sliding", state, there, back):
+            return faults
+    return []
 
 
-def _film(trial: Trial) -> Iterator[Fault]:
+def _film(trial: Trial) -> list[Fault]:
     law = trial.law
     for along, across in ((0, 0), (0.3, 0.2), (-0.6, 0.4), (0.1, -0.85), (0.85, 0)):
         state = {eps_w: mpf(along), eps_c: mpf(across), h: (1 - mpf(along)) / 10**4}
@@ -335,20 +330,14 @@ def _film(trial: Trial) -> Iterator[Fault]:
         for component, expression in (("along", law.along), ("across", law.across), ("couple", law.couple)):
             value = number(expression, values)
             if value is None:
-                yield _undefined(trial, component, state)
-                return
+                return [_undefined(trial, component, state)]
             if value < 0 and component != "across":  # a force across the velocity does no work
-                yield trial.fault(
-                    component,
-                    state,
-                    mp.nstr(value, 4),
-                    "a drag not below 0: a film takes energy, and gives none",
-                    "A sign is wrong.",
-                )
-                return
+                expected = "a drag not below 0: a film takes energy, and gives none"
+                return [trial.fault(component, state, mp.nstr(value, 4), expected, "A sign is wrong.")]
+    return []
 
 
-_TESTS: dict[type[Any], Callable[[Trial], Iterator[Fault]]] = {
+_TESTS: dict[type[Any], Callable[[Trial], list[Fault]]] = {
     StiffnessLaw: _elastic,
     DampingLaw: _damping,
     FrictionLaw: _friction,

@@ -36,8 +36,7 @@ def law_faults(law: Law) -> tuple[Fault, ...]:
     """Faults of a law over its stated ranges, at the first of its parameter sets that has any."""
     with mp.workdps(DIGITS):
         for trial in _over_range(law):
-            faults = tuple(faults_of(trial))
-            if faults:
+            if faults := faults_of(trial):
                 return faults
     return ()
 
@@ -67,19 +66,13 @@ def scene_faults(scene: Scene) -> Iterator[Fault]:
             for bound in effect.laws:
                 trial = _in_scene(bound, geometry, elastic)
                 if trial is not None:
-                    yield from _trial_faults(trial)
+                    yield from faults_of(trial)
                     elastic = trial if isinstance(bound.law, StiffnessLaw) else elastic
 
 
 def refuse_misbehaving(scene: Scene) -> None:
     """Raise InputError if a law of the scene is not physically admissible."""
     refuse(f"scene {scene.name}", tuple(dict.fromkeys(scene_faults(scene))))
-
-
-@lru_cache(maxsize=256)
-def _trial_faults(trial: Trial) -> tuple[Fault, ...]:
-    """Faults of a law with values; pairs that are alike, and scenes, need the same ones."""
-    return tuple(faults_of(trial))
 
 
 # -- numbers for a law -------------------------------------------------------------------------------------------------
