@@ -113,7 +113,7 @@ def _with_unit(value: Any, unit: str) -> str:
 
 @lru_cache(maxsize=256)
 def faults_of(trial: Trial) -> tuple[Fault, ...]:
-    """Return the faults of a law, once for pairs and scenes that are alike; raises TypeError for an unknown kind of law."""
+    """Return the faults of a law; raises TypeError for an unknown kind of law."""
     for kind, test in _TESTS.items():
         if isinstance(trial.law, kind):
             return tuple(test(trial))
@@ -279,7 +279,7 @@ def _friction(trial: Trial) -> list[Fault]:
 
 
 def _against_sliding(trial: Trial, quantity: str, state: Mapping[Any, Any], there: Any, back: Any) -> list[Fault]:
-    """Test a force at a state of sliding, and `back` at the reversed one: against the speed, and odd in it."""
+    """Test that a force opposes sliding, and is `back`, its negative, in the reversed state."""
     if there is None or back is None:
         return [_undefined(trial, quantity, state)]
     if there * state[s] < 0:

@@ -8,23 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy as sp
 from sympy.solvers.solveset import NonlinearError
 
 from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.expressions.dimension.dimension import ONE, Dimension, canonical, quantity
+from hertzwerk.derive.expressions.dimension.rules import Walk
 from hertzwerk.derive.expressions.dimension.tree import Node
-
-if TYPE_CHECKING:
-    from hertzwerk.derive.expressions.dimension.walker import Walker
 
 Offer = tuple[Any, str | None]
 """Exponent that makes the units consistent, if there is one, and a sentence."""
 
 
-def repair(walk: Walker, culprit: Node, found: Dimension, expected: Dimension) -> Offer:
+def repair(walk: Walk, culprit: Node, found: Dimension, expected: Dimension) -> Offer:
     """Find a repair that gives the culprit the expected dimension."""
     missing = expected / found
     symbols = {symbol for exponent in missing.exponents for symbol in exponent.free_symbols}
@@ -35,7 +33,7 @@ def repair(walk: Walker, culprit: Node, found: Dimension, expected: Dimension) -
     return _power(walk, culprit, expected, missing) or (None, _lacking(walk, culprit, found, missing))
 
 
-def _constant(walk: Walker, culprit: Node, expected: Dimension, missing: Dimension, symbols: list[Any]) -> Offer:
+def _constant(walk: Walk, culprit: Node, expected: Dimension, missing: Dimension, symbols: list[Any]) -> Offer:
     """The value of a constant that makes the exponents agree."""
     for symbol in symbols:
         try:
@@ -52,7 +50,7 @@ def _constant(walk: Walker, culprit: Node, expected: Dimension, missing: Dimensi
     return None, f"no value of {', '.join(map(str, symbols))} makes it {_unit(expected)}"
 
 
-def _power(walk: Walker, culprit: Node, expected: Dimension, missing: Dimension) -> Offer | None:
+def _power(walk: Walk, culprit: Node, expected: Dimension, missing: Dimension) -> Offer | None:
     """Another exponent on one factor: of a bare name first, d in E*sqrt(R)*d, then the least, L in L**2.
 
     What is offered is substituted, and has the expected dimension.
@@ -132,7 +130,7 @@ def _with_exponent(node: Node, path: tuple[int, ...], name: Any, exponent: Any) 
     return replace(node, args=(*node.args[: path[0]], changed, *node.args[path[0] + 1 :]))
 
 
-def _only_for(walk: Walker, culprit: Node, factor: Node, symbol: Any, value: Any, expected: Dimension) -> str:
+def _only_for(walk: Walk, culprit: Node, factor: Node, symbol: Any, value: Any, expected: Dimension) -> str:
     """Sentence such as `K is N/m^1.5: K*d**n is a force only for n = 3/2`, for a factor d**n.
 
     A number in place of n is named at the end: `, not 1`.
@@ -149,7 +147,7 @@ def _only_for(walk: Walker, culprit: Node, factor: Node, symbol: Any, value: Any
     return text if symbol else f"{text}, not {sp.sstr(power, full_prec=False)}"
 
 
-def _lacking(walk: Walker, culprit: Node, dimension: Dimension, missing: Dimension) -> str:
+def _lacking(walk: Walk, culprit: Node, dimension: Dimension, missing: Dimension) -> str:
     """Sentence on the missing factor, and on the number that may hide it."""
     culprit = culprit.args[0] if culprit.op == "neg" else culprit
     if dimension == ONE and not culprit.args:

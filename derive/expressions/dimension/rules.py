@@ -8,15 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Any, Literal
 
 import sympy as sp
 
 from hertzwerk.derive.expressions.dimension.dimension import ONE, ZERO, Dimension, canonical
 from hertzwerk.derive.expressions.dimension.tree import COMPARISONS, Node
 
-if TYPE_CHECKING:
-    from hertzwerk.derive.expressions.dimension.walker import Walker
+Walk = Any
+"""A `Walker`, which imports these rules."""
 
 
 @dataclass(frozen=True)
@@ -27,14 +27,14 @@ class Signature:
     result: Literal["same", "one"]
 
 
-def _product(walk: Walker, node: Node) -> Dimension:
+def _product(walk: Walk, node: Node) -> Dimension:
     total = ONE
     for factor in node.args:
         total = walk.tree.bounded(node, total * walk(factor))
     return total
 
 
-def _power(walk: Walker, node: Node) -> Dimension:
+def _power(walk: Walk, node: Node) -> Dimension:
     base, exponent = node.args
     dimension = walk(base)
     if exponent.op == "number":
@@ -55,13 +55,13 @@ def _power(walk: Walker, node: Node) -> Dimension:
     raise walk.fault(node, f"{dimension} to the power {quoted}", expected, reason, operands=(base, exponent))
 
 
-def _where(walk: Walker, node: Node) -> Dimension:
+def _where(walk: Walk, node: Node) -> Dimension:
     for arg in node.args:
         walk(arg)
     return walk.alike(node, [arg for arg in node.args if not arg.condition])
 
 
-def _spline(walk: Walker, node: Node) -> Dimension:
+def _spline(walk: Walk, node: Node) -> Dimension:
     (argument,) = node.args
     table, _, order = node.expr.args
     per, of = (Dimension.from_unit(unit) for unit in table.units)
@@ -72,19 +72,19 @@ def _spline(walk: Walker, node: Node) -> Dimension:
     return of / per**order
 
 
-def _derivative(walk: Walker, node: Node) -> Dimension:
+def _derivative(walk: Walk, node: Node) -> Dimension:
     total = walk(node.args[0])
     for variable in node.args[1:]:
         total = total / walk(variable)
     return total
 
 
-def _integral(walk: Walker, node: Node) -> Dimension:
+def _integral(walk: Walk, node: Node) -> Dimension:
     function, *limits = node.args
     return walk(function) * walk.alike(node, limits)
 
 
-def _determinant(walk: Walker, node: Node) -> Dimension:
+def _determinant(walk: Walk, node: Node) -> Dimension:
     if node.args[0].shape is None:
         raise TypeError("a matrix without a shape")
     return walk(node.args[0]) ** node.args[0].shape[0]
@@ -96,7 +96,7 @@ def _rows(
     return dict.fromkeys(ops, Signature(arguments, result))
 
 
-SIGNATURES: Mapping[str, Signature | Callable[[Walker, Node], Dimension]] = {
+SIGNATURES: Mapping[str, Signature | Callable[[Walk, Node], Dimension]] = {
     "number": lambda walk, node: ZERO if node.number == 0 else ONE,
     "inf": lambda walk, node: ZERO,
     "product": _product,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
@@ -14,7 +13,7 @@ from matplotlib.transforms import ScaledTranslation
 
 from hertzwerk.runtime.analysis.effect_study import effect_study as texts
 from hertzwerk.runtime.analysis.effect_study.effect_study import Change, Row, Study
-from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, SKY, STYLE, VERMILLION, plain
+from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, SKY, STYLE, VERMILLION, heading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,7 +23,6 @@ SHADE = "#e3e3e3"
 LEAST, MOST = 1e-6, 1e2  # limits of the relative changes shown
 COLUMN, ROW = 2.5, 0.42  # inches
 BELOW = 0.28  # inches from an axis to the legend under it
-CHARACTERS = 38  # of a caption, under each column
 BEHIND: Any = {"facecolor": "white", "edgecolor": "none", "pad": 0.6}
 
 
@@ -53,12 +51,7 @@ def figure(study: Study) -> Figure:
         for tick, row in zip(axes[0].get_yticklabels(), study.rows, strict=True):
             if study.smallest is not None and row.effect in study.smallest.left_out:
                 tick.set_color(GREY)
-        page.suptitle(
-            f"{study.scene}: cost and influence of each effect",
-            x=0.01, ha="left", fontsize=12.5, fontweight="bold",
-        )  # fmt: skip
-        caption = "\n".join(line for note in _captions(study) for line in textwrap.wrap(note, CHARACTERS * columns))
-        page.supxlabel(plain(caption), x=0.01, ha="left", fontsize=9, color=GREY)
+        heading(page, f"{study.scene}: cost and influence of each effect", *_captions(study))
     return page
 
 

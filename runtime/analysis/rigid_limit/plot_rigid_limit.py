@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, legend
-from hertzwerk.runtime.output.plots.plot_style import CYCLE, GREY, STYLE, VERMILLION, plain
+from hertzwerk.runtime.output.plots.plot_style import CYCLE, GREY, STYLE, VERMILLION, heading, plain
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ def figure(limit: RigidLimit) -> Figure:
         axes[len(pairs)].set_xlabel(f"time [{time.unit}]")
         if convergence:
             _convergence(axes[-1], limit)
-        page.suptitle(plain(f"{limit.model.name}: rigid limit"), x=0.01, ha="left", fontsize=12.5, fontweight="bold")
+        heading(page, f"{limit.model.name}: rigid limit")
     return page
 
 

@@ -11,7 +11,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION
+from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, heading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -48,15 +48,12 @@ def figure(study: Study) -> Figure:
         together, own = below.subplots(1, 2, width_ratios=(3, 2))
         _together(together, study)
         _own(own, study)
-        page.suptitle(
+        heading(
+            page,
             "Restitution of the damping laws: restitution of one free impact minus the requested one",
-            x=0.01, ha="left", fontsize=13, fontweight="bold",
-        )  # fmt: skip
-        page.supxlabel(
             "Shaded: the recommended range, and the largest deviation in it; grey: outside. Lines: closed form; dots: simulated through the engine. "
             "(A) .. (R): grade of the formula.",
-            x=0.01, ha="left", fontsize=9.5, color=GREY,
-        )  # fmt: skip
+        )
     return page
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +17,7 @@ from hertzwerk.runtime.analysis.work_precision.work_precision_study import Row, 
 from hertzwerk.runtime.engine.accuracy.error_estimate import VALID
 from hertzwerk.runtime.engine.accuracy.horizon import crossing
 from hertzwerk.runtime.engine.integration.tableaux.methods import AUTOMATIC, EXPLICIT, IMPLICIT
-from hertzwerk.runtime.output.plots.plot_style import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILLION, plain
+from hertzwerk.runtime.output.plots.plot_style import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILLION, heading
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 
 if TYPE_CHECKING:
@@ -52,13 +51,8 @@ def figure(study: Study) -> Figure:
         left, right = page.subplots(1, 2, width_ratios=(1.1, 1))
         _work(left, study)
         _along(right, study)
-        page.suptitle(
-            f"{study.problem.model.name}: cost of accuracy in {seconds(float(study.reference.t[-1]))}",
-            x=0.01, ha="left", fontsize=12.5, fontweight="bold",
-        )  # fmt: skip
-        said = [*conclusions(study), *(f"Warning: {text}" for text in warnings(study))]
-        text = "\n".join(line for part in said for line in textwrap.wrap(part, 170))
-        page.supxlabel(plain(text), x=0.01, ha="left", fontsize=9, color="#404040")
+        title = f"{study.problem.model.name}: cost of accuracy in {seconds(float(study.reference.t[-1]))}"
+        heading(page, title, *conclusions(study), *(f"Warning: {text}" for text in warnings(study)))
     return page
 
 

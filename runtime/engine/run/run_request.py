@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal, TypeAlias
 
@@ -149,6 +149,11 @@ def progress_faults(progress: object) -> list[Fault]:
     if progress is None or callable(progress):
         return []
     return [Fault("progress", shown(progress), "a function of the fraction that is done, such as print")]
+
+
+def progress_of(progress: Callable[[float], object] | None, done: int, count: int) -> Callable[[float], object]:
+    """Return what reports the progress of one of several tasks as part of all."""
+    return lambda part: progress and progress((done + part) / count)
 
 
 def read_accuracy(value: object) -> Request | None:

@@ -9,7 +9,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from hertzwerk.runtime.output.plots.plot_style import CYCLE, GREY, STYLE
+from hertzwerk.runtime.output.plots.plot_style import CYCLE, GREY, STYLE, heading
 
 if TYPE_CHECKING:
     from hertzwerk.derive.exchange.law_sheets.law_sheet import Sheet
@@ -53,9 +53,6 @@ def figure(sheet: Sheet) -> Figure:
         force.set(xlabel="penetration [µm]", ylabel="force [N]", title="Force, and the band of the candidates")
         force.legend(loc="upper left")
         spread = band.spread
-        page.suptitle(
-            f"{sheet.law.name}: a reconstruction (grade R). Its candidates differ by a factor of {min(spread):.1f} to {max(spread):.0f}",
-            x=0.01, ha="left", fontweight="bold",
-        )  # fmt: skip
-        page.supxlabel(f"Example: {sheet.example}", x=0.01, ha="left", fontsize=9, color=GREY)
+        differ = f"Its candidates differ by a factor of {min(spread):.1f} to {max(spread):.0f}"
+        heading(page, f"{sheet.law.name}: a reconstruction (grade R). {differ}", f"Example: {sheet.example}")
     return page

@@ -6,14 +6,14 @@ import textwrap
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from matplotlib.figure import Figure
+
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.continuation import parameters_of
 from hertzwerk.runtime.output.plots.plot_style import GREY, plain
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 MOST = 12  # differences that are listed
@@ -72,3 +72,11 @@ def write_title(figure: Figure, title: str, below: str) -> float:
         figure.text(0.1 / width, 1 - used / height, plain("\n".join(rows)), va="top", ha="left", **look)
         used += line * len(rows)
     return used
+
+
+def titled_page(width: float, height: float, title: str, below: str) -> Figure:
+    """Return a figure with a title, a line below it, and a height [inch] for panels under them."""
+    page = Figure(figsize=(width, height + title_height(width, title, below)), layout="constrained")
+    layout: Any = page.get_layout_engine()
+    layout.set(rect=(0, 0, 1, 1 - write_title(page, title, below) / page.get_figheight()))
+    return page

@@ -1,4 +1,4 @@
-"""Comparison of a run with measured data: seen through the instrument, aligned, compared signal by signal.
+"""Comparison of a run with measured data, seen through the instrument and aligned.
 
 1. request     columns against histories, instrument, ranges                                comparison_request, instrument
 2. run         integrated between its steps and filtered as the instrument does             filtered_run

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, empty_panel, legend
-from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, plain
+from hertzwerk.runtime.output.plots.plot_style import BLUE, ORANGE, STYLE, VERMILLION, heading, plain
 from hertzwerk.runtime.output.plots.unit_prefixes import Scale, scale_of
 from hertzwerk.runtime.system.arrays import Array
 
@@ -25,7 +25,6 @@ SHADE = "#f1ece4"  # beyond the horizon
 CLOSE = 40  # samples around the largest measured value, each side, that its panel shows
 GAP = 1.5  # samples: times farther apart are not joined
 PARTS = 2000  # of a curve that is thinned, more than a panel has columns of dots
-CHARACTERS = 165  # of a line below the panels
 
 
 def figure(comparison: Comparison) -> Figure:
@@ -38,11 +37,8 @@ def figure(comparison: Comparison) -> Figure:
             below[0].sharex(above[0])
             _signal(above, below, signal, comparison)
         name, data = comparison.solution.engine.model.name, comparison.request.measurement
-        title = f"{name} beside {Path(data.source).name or 'measured data'}"
-        page.suptitle(plain(title), x=0.01, ha="left", fontsize=12.5, fontweight="bold")
-        notes = [f"{label}: {text}" for label, text in list(comparison.lines())[1:]]
-        text = "\n".join(part for note in notes for part in textwrap.wrap(note, CHARACTERS))
-        page.supxlabel(plain(text), x=0.01, ha="left", fontsize=9, color=GREY)
+        notes = (f"{label}: {text}" for label, text in list(comparison.lines())[1:])
+        heading(page, f"{name} beside {Path(data.source).name or 'measured data'}", *notes)
     return page
 
 

@@ -11,7 +11,6 @@ import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -20,6 +19,7 @@ from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
 from hertzwerk.derive.common.markup import heading, joined, table
 from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.engine.run.run_request import progress_of
 from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.fitting.fit_result import Fit
 from hertzwerk.runtime.studies.fitting.fitting import (
@@ -224,7 +224,7 @@ def ranked(request: Mapping[str, FitRequest], progress: Callable[[float], object
     """Rank laws by their fits to the same data, as far as they lie before the horizon of each."""
     fits: dict[str, tuple[Search, Estimate]] = {}
     for k, (name, one) in enumerate(request.items()):
-        fits[name] = searched(one, partial(_report_progress, progress, k, len(request)))
+        fits[name] = searched(one, progress_of(progress, k, len(request)))
     common = np.logical_and.reduce([estimate.used for _, estimate in fits.values()])
     laws = []
     for name, (search, estimate) in fits.items():
@@ -247,11 +247,6 @@ def ranked(request: Mapping[str, FitRequest], progress: Callable[[float], object
     )
     alike = tuple(law.name for law in found_laws[1:] if not _apart(found_laws[0], law))
     return Ranking(tuple(found_laws), alike, float(np.mean(common)))
-
-
-def _report_progress(progress: Callable[[float], object] | None, number: int, count: int, part: float) -> None:
-    if progress is not None:
-        progress((number + 0.8 * part) / count)
 
 
 def _apart(best: RankedLaw, other: RankedLaw) -> bool:

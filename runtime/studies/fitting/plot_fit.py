@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import TYPE_CHECKING
 
 import matplotlib as mpl
@@ -11,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, legend
-from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, plain
+from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, heading, plain
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 
 if TYPE_CHECKING:
@@ -22,7 +21,6 @@ if TYPE_CHECKING:
 LEFT_OUT = "#b8b0a4"
 MOST = 6  # signals that are drawn
 FINE = 1500  # places of a run's curve
-CHARACTERS = 150  # of a line below the panels
 LISTED = ("fit", "verdict", "unidentified", "warning")  # labels of what is not a fitted quantity that is written below
 
 
@@ -38,7 +36,6 @@ def figure(fit: Fit) -> Figure:
             _residuals(below, signal)
         model = fit.observed[0].model.name
         names = ", ".join(each.name for each in fit.observed)
-        page.suptitle(plain(f"{model} fitted to {names}"), x=0.01, ha="left", fontsize=12.5, fontweight="bold")
         notes = [
             f"{label}: {text}"
             for label, text in fit.lines()
@@ -46,8 +43,7 @@ def figure(fit: Fit) -> Figure:
         ]
         if len(shown) < len(fit.signals):
             notes.append(f"{len(fit.signals) - len(shown)} signals more are not drawn")
-        text = "\n".join(part for note in notes for part in textwrap.wrap(note, CHARACTERS))
-        page.supxlabel(plain(text), x=0.01, ha="left", fontsize=9, color=GREY)
+        heading(page, f"{model} fitted to {names}", *notes)
     return page
 
 

@@ -12,7 +12,6 @@ import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -25,7 +24,14 @@ from hertzwerk.runtime.engine.model.free_quantities import Free, Freed, read_fre
 from hertzwerk.runtime.engine.model.ranges import starts_in
 from hertzwerk.runtime.engine.model.si_values import si_of, si_units, unit_at
 from hertzwerk.runtime.engine.run.continuation import with_steps
-from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, duration_follows, progress_faults
+from hertzwerk.runtime.engine.run.run_request import (
+    METHOD,
+    Accuracy,
+    Compiled,
+    duration_follows,
+    progress_faults,
+    progress_of,
+)
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END, Outcome
 from hertzwerk.runtime.loading import Target, engine_model
@@ -112,7 +118,7 @@ def minimise(
     minima: list[Minimum] = []
     failed: list[InputError] = []
     for i, begin in enumerate(begins):
-        report = partial(_report, progress, i, len(begins))
+        report = progress_of(progress, i, len(begins))
         try:
             minima.append(_Search(problem, begin, int(max_runs), report).minimum(float(precision)))
         except InputError as error:
@@ -121,12 +127,6 @@ def minimise(
     if not minima:
         raise failed[0]
     return best_of(minima, ranges, len(failed))
-
-
-def _report(progress: Callable[[float], object] | None, start: int, starts: int, part: float) -> None:
-    """Report the part of a search from one of several starts that is done."""
-    if progress is not None:
-        progress((start + part) / starts)
 
 
 @dataclass(frozen=True)

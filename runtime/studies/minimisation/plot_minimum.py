@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, legend
-from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, plain
+from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, heading, plain
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 
 if TYPE_CHECKING:
@@ -44,7 +44,5 @@ def figure(minimum: Minimum) -> Figure:
             axis.set_title(plain(f"{name}{f' [{scale.unit}]' if scale.unit != '1' else ''}"))
         axes[-1].set_xlabel("run")
         axes[-1].xaxis.set_major_locator(matplotlib.ticker.MaxNLocator(integer=True))
-        page.suptitle(
-            plain(f"{minimum.scene}: {minimum.objective_text}"), x=0.01, ha="left", fontsize=12, fontweight="bold"
-        )
+        heading(page, f"{minimum.scene}: {minimum.objective_text}")
     return page

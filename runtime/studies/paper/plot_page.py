@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
 from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, legend
-from hertzwerk.runtime.output.plots.plot_style import CYCLE, GREY, ORANGE, STYLE, plain
+from hertzwerk.runtime.output.plots.plot_style import CYCLE, GREY, ORANGE, STYLE, heading, plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -56,11 +56,9 @@ def figure(chart: Chart) -> Figure:
             if not shared and len(axis.get_legend_handles_labels()[1]) > 1:
                 axis.set_title(plain(panel.title), pad=LEGEND_ROOM)
                 legend(axis)
-        page.suptitle(plain(chart.title), x=0.01, ha="left", fontsize=12.5, fontweight="bold")
+        heading(page, chart.title, *((chart.note,) if chart.note and not shared else ()))
         if shared:
             _legend_below(page, chart.note)
-        elif chart.note:
-            page.supxlabel(_wrapped(chart.note, page), x=0.01, ha="left", fontsize=9, color=GREY)
     return page
 
 
@@ -149,10 +147,6 @@ def _curve(axis: Axes, curve: Curve, look: dict[str, Any], y: Axis) -> None:
         axis.vlines(curve.x, low, high, color=look["color"], linewidth=1.0)
 
 
-def _wrapped(note: str, page: Figure) -> str:
-    return plain("\n".join(textwrap.wrap(note, int(CHARACTERS * page.get_figwidth()))))
-
-
 def _legend_below(page: Figure, note: str) -> None:
     """Draw one legend of all labels below the panels, under the note."""
     handles: dict[str, Any] = {}
@@ -160,8 +154,9 @@ def _legend_below(page: Figure, note: str) -> None:
         for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
             handles.setdefault(label, handle)
     width = LABEL * (max(map(len, handles)) + 5)
+    title = plain("\n".join(textwrap.wrap(note, int(CHARACTERS * page.get_figwidth()))))
     legend = page.legend(
         list(handles.values()), list(handles), loc="outside lower left", ncols=max(1, int(page.get_figwidth() // width)),
-        title=_wrapped(note, page) or None, title_fontsize=9, alignment="left",
+        title=title or None, title_fontsize=9, alignment="left",
     )  # fmt: skip
     legend.get_title().set_color(GREY)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -254,22 +254,19 @@ def _force_chart(laws: Sequence[Law]) -> Chart:
               "units do not hold *": [law for law in laws if not law.consistent]}  # fmt: skip
     depth, clearance = Axis("penetration", "µm", log=True), Axis("clearance", "mm", log=True)
     force, ratio = Axis("force", "N", log=True), Axis("force/Johnson's", log=True)
-    panels = []
-    for title, group in groups.items():
-        panels.append(Panel(f"Force over penetration: {title}", depth, force, (
-            Curve(reference.label, DEPTHS * 1e6, reference.over_depth, look="reference"),
-            *(Curve(law.label, DEPTHS * 1e6, law.over_depth) for law in group),
-        )))  # fmt: skip
-    for title, group in groups.items():
-        panels.append(Panel(f"Over Johnson's: {title}", depth, ratio, (
-            Curve(reference.label, DEPTHS * 1e6, np.ones(len(DEPTHS)), look="reference"),
-            *(Curve(law.label, DEPTHS * 1e6, law.over_depth / reference.over_depth) for law in group),
-        )))  # fmt: skip
-    for title, group in groups.items():
-        panels.append(Panel(f"At {DEPTH * 1e6:g} µm over clearance: {title}", clearance, force, (
-            Curve(reference.label, CLEARANCES * 1e3, reference.over_clearance, look="reference"),
-            *(Curve(law.label, CLEARANCES * 1e3, law.over_clearance) for law in group),
-        )))  # fmt: skip
+    kinds: tuple[tuple[str, Axis, Axis, Array, Callable[[Law], Array]], ...] = (
+        ("Force over penetration", depth, force, DEPTHS * 1e6, lambda law: law.over_depth),
+        ("Over Johnson's", depth, ratio, DEPTHS * 1e6, lambda law: law.over_depth / reference.over_depth),
+        (f"At {DEPTH * 1e6:g} µm over clearance", clearance, force, CLEARANCES * 1e3, lambda law: law.over_clearance),
+    )
+    panels = [
+        Panel(f"{kind}: {title}", x, y, (
+            Curve(reference.label, at, values(reference), look="reference"),
+            *(Curve(law.label, at, values(law)) for law in group),
+        ))
+        for kind, x, y, at, values in kinds
+        for title, group in groups.items()
+    ]  # fmt: skip
     return Chart(
         "forces", "Stiffness laws of a steel pin in its bush, SI values put in", tuple(panels),
         note="A curve ends where its law does. (R): a reconstruction, as the paper's own could not be had. *: units do not hold as published.",

@@ -16,7 +16,7 @@ from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END
 from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, empty_panel, legend
 from hertzwerk.runtime.output.plots.plot_style import BLUE, CYCLE, GREY, STYLE, VERMILLION, plain
-from hertzwerk.runtime.output.plots.title import title_height, write_title
+from hertzwerk.runtime.output.plots.title import titled_page
 from hertzwerk.runtime.studies.sweeps.varied_axes import (
     CELLS,
     DOTS,
@@ -125,13 +125,7 @@ def _page(
 ) -> tuple[Figure, list[Axes]]:
     """Return a figure with its title and panels."""
     rows, columns = shape
-    table, below = drawn.table, _below(drawn, subtitle)
-    width = size[0] * columns
-    head = title_height(width, table.scene, below)
-    page = Figure(figsize=(width, size[1] * rows + head), layout="constrained")
-    used = write_title(page, table.scene, below)
-    layout: Any = page.get_layout_engine()
-    layout.set(rect=(0, 0, 1, 1 - used / page.get_figheight()))
+    page = titled_page(size[0] * columns, size[1] * rows, drawn.table.scene, _below(drawn, subtitle))
     return page, [page.add_subplot(rows, columns, i + 1) for i in range(count)]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import matplotlib as mpl
 import numpy as np
@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from hertzwerk.runtime.output.plots.plot_panel import empty_panel
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, SKY, STYLE, VERMILLION, plain
-from hertzwerk.runtime.output.plots.title import title_height, write_title
+from hertzwerk.runtime.output.plots.title import titled_page
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 from hertzwerk.runtime.system.arrays import Array
 
@@ -24,16 +24,12 @@ BINS = 40  # most
 
 def figure(result: Propagated) -> Figure:
     """Draw each output in a row: its samples with the normal curve of its derivatives, and its indices."""
-    outputs, scene = [*result], result.scene
+    outputs = [*result]
     subtitle = f"{result.draws} samples of {', '.join(result.names)}"
     indices = any(output.first for output in outputs)
     width = WIDE * (2 if indices else 1)
     with mpl.rc_context(STYLE):
-        head = title_height(width, scene, subtitle)
-        page = Figure(figsize=(width, HIGH * len(outputs) + head), layout="constrained")
-        used = write_title(page, f"{scene}: uncertainty", subtitle)
-        layout: Any = page.get_layout_engine()
-        layout.set(rect=(0, 0, 1, 1 - used / page.get_figheight()))
+        page = titled_page(width, HIGH * len(outputs), f"{result.scene}: uncertainty", subtitle)
         grid = page.subplots(len(outputs), 2 if indices else 1, squeeze=False)
         for output, row in zip(outputs, grid, strict=True):
             _spread(row[0], output, result.samples[output.name][: result.draws])

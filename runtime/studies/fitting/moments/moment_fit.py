@@ -20,6 +20,7 @@ from hertzwerk.runtime.engine.model.binding import Value, read_state, whole_faul
 from hertzwerk.runtime.engine.model.free_quantities import Free, read_free
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.ranges import Range, hypercube
+from hertzwerk.runtime.engine.run.run_request import progress_of
 from hertzwerk.runtime.studies.comparison.series_moments import QUANTILE
 from hertzwerk.runtime.studies.fitting.fit_result import Estimates, FittedValue, Goodness
 from hertzwerk.runtime.studies.fitting.intervals import LEVEL, Interval, identified
@@ -233,7 +234,7 @@ def fitted_moments(request: MomentFitRequest, progress: Callable[[float], object
     places, numbers, noise = np.zeros((0, count)), *np.zeros((2, 0, len(request.moments)))
     made = 0
     for number in range(ROUNDS):
-        report = None if progress is None else (lambda part, done=number: progress((done + part) / ROUNDS))
+        report = progress_of(progress, number, ROUNDS)
         tried = PER_FEATURE * features
         x, y, own, why = _runs(request, _spread(request.free, box), report, sample=tried, seed=request.seed + number)
         places, numbers, noise = np.vstack([places, x]), np.vstack([numbers, y]), np.vstack([noise, own])
@@ -276,7 +277,7 @@ def _runs(
     how, sweeps = {"tolerance": TOLERANCE, **request.how}, request.sweeps
     numbers, there, why, x = dict[str, Array](), np.ones(0, dtype=bool), "", np.zeros((0, 0))
     for number, (values, series) in enumerate(sweeps):
-        report = None if progress is None else (lambda part, done=number: progress((done + part) / len(sweeps)))
+        report = progress_of(progress, number, len(sweeps))
         functions = {name: function for one in series for name, function in one.functions().items()}
         own = stated if number == 0 else []
         how["parameters"] = values

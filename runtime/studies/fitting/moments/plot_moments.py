@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import textwrap
 from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
@@ -11,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, legend
-from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, plain
+from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, heading, plain
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 from hertzwerk.runtime.studies.comparison.series_moments import QUANTILE
 from hertzwerk.runtime.studies.fitting.intervals import LEVEL
@@ -21,7 +20,6 @@ if TYPE_CHECKING:
 
     from hertzwerk.runtime.studies.fitting.moments.moment_fit import Moment, MomentFit
 
-CHARACTERS = 140  # of a line below the panels
 REACH = 3.0  # times the interval's rise that is shown
 
 
@@ -38,11 +36,8 @@ def figure(fit: MomentFit) -> Figure:
             _objective(axis, fit, name)
         for axis in panels[len(fit.values) :]:
             axis.set_visible(False)
-        page.suptitle(plain(f"{fit.scene} fitted to statistics"), x=0.01, ha="left", fontsize=12.5, fontweight="bold")
-        notes = [f"{value.name} = {value}" for value in fit.values.values()]
-        notes += [fit.verdict, *fit.unidentified, *fit.warnings]
-        text = "\n".join(part for note in notes for part in textwrap.wrap(note, CHARACTERS))
-        page.supxlabel(plain(text), x=0.01, ha="left", fontsize=9, color=GREY)
+        values = (f"{value.name} = {value}" for value in fit.values.values())
+        heading(page, f"{fit.scene} fitted to statistics", *values, fit.verdict, *fit.unidentified, *fit.warnings)
     return page
 
 
