@@ -115,8 +115,8 @@ def simulate(
     compiled    run the same functions as C, with bitwise the same result; "auto" compiles where the remaining time exceeds the compilation
     max_steps (accepted; as many may be rejected), max_events (contacts begun) of each run, wall_time [s] of the call, compilation included: limits,
                 each with an outcome of its own. Without max_steps a run ends as "stalled" where its steps make hardly any progress
-    sensitivities    parameters and initial states: `run.derivatives["slider_pin.normal_force", "restitution"]` is then a history, computed
-                after the run, from its steps
+    sensitivities    parameters and initial states: `run.sensitivities()["slider_pin.normal_force", "restitution"]` is then a history,
+                computed after the run, from its steps
     progress    a function that is called now and then with the fraction done
 
     Invalid input raises InputError with every fault. Nothing else raises: `Solution.outcome` states how the run ended. An exception during the run,
@@ -195,14 +195,15 @@ def solving(
 
 
 def _with_derivatives(run: Solution, names: Sequence[str]) -> Solution:
-    """Return a run with its `derivatives` by some names, or with a warning that says why not."""
+    """Return a run with its derivatives by some names, or with a warning that says why not."""
     if not names:
         return run
     try:
-        return replace(run, derivatives=run.sensitivities(*names))
+        engine = replace(run.engine, derivatives=run.sensitivities(*names))
     except InputError as error:
         reason = "; ".join(f"no derivatives: {fault.found}; {fault.remedy}" for fault in error.faults)
-        return replace(run, engine=run.engine.with_warning(reason))
+        engine = run.engine.with_warning(reason)
+    return replace(run, engine=engine)
 
 
 def _solution_of(
@@ -276,12 +277,7 @@ def _solution_of(
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Solution(plain_solution.EngineSolution):
-    """Result of `simulate`: outcome, histories, derivatives, plots and drawings of a run.
-
-    derivatives    by the names that `simulate(..., sensitivities=...)` was given, None without
-    """
-
-    derivatives: Sensitivities | None = None
+    """Result of `simulate`: outcome, histories, derivatives, plots and drawings of a run."""
 
     def extremes(self, name: str) -> Extremes:
         """Return the minimum and the maximum of a history, and their times, found within the steps.
@@ -352,12 +348,13 @@ class Solution(plain_solution.EngineSolution):
         """Return the exact derivatives of this run by parameters and initial states, through its impacts.
 
         `run.sensitivities("restitution", "guide.travel")["slider_pin.normal_force", "restitution"]` is a history over the
-        run's steps. Found from the steps, so that a run pays nothing until it is asked. Raises InputError for names that
-        are neither, and for a run without its steps or start: a saved one, a continuation, one of SUNDIALS.
+        run's steps, from which it is computed. Without names those of `simulate(..., sensitivities=...)` are returned. Raises InputError
+        for names that are neither, and for a run without its steps or start: a saved one, a continuation, one of SUNDIALS.
         """
-        from hertzwerk.runtime.engine.sensitivity.sensitivities import (
-            Sensitivities,  # a run that is not asked imports none of it
-        )
+        from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities  # most runs import none of it
+
+        if not names and self.engine.derivatives is not None:
+            return self.engine.derivatives
 
         history, bound, initial = self._from_its_start("sensitivities")
         return Sensitivities(history, bound, initial, names, compiled=self.settings.compiled)

@@ -105,13 +105,10 @@ def require_intact(text: str, name: str, path: Path | None = None) -> None:
     else:
         return
     source = stated(text, "SOURCE")
-    beside = path is not None and (path.parent / source).is_file() and path.name != source  # else the module itself
-    again = command(
-        shlex.quote(str(path.parent / source)) if path and beside else source,
-        stated(text, "NAME") or name,
-        stated_coordinates(text),
-    )
-    where = "" if path is None or beside else f" --out {shlex.quote(str(path.parent))}"
+    places = [] if path is None else [path.parent / source, *sorted(path.parent.parent.glob(f"*/{source}"))]
+    file = next((place for place in places if place.is_file() and place != path), None)
+    again = command(shlex.quote(str(file)) if file else source, stated(text, "NAME") or name, stated_coordinates(text))
+    where = "" if path is None or file == places[0] else f" --out {shlex.quote(str(path.parent))}"
     raise InputError(str(path or name), [Fault(str(path or name), said, expected, f"generate it anew: {again}{where}")])
 
 

@@ -35,7 +35,7 @@ def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
 
     averages: include them.
     """
-    statistics, error, derivatives = solution.statistics, solution.error, solution.derivatives
+    statistics, error, derivatives = solution.statistics, solution.error, solution.engine.derivatives
     return {
         "scene": solution.engine.model.name,
         "outcome": solution.outcome.name,
@@ -151,7 +151,7 @@ def write(
     if averages:
         extras.make("averages", lambda _: setattr(written, "averages", solution.averages()))
     extras.make_csv()
-    if solution.derivatives is not None:
+    if solution.engine.derivatives is not None:
         extras.make("sensitivities.csv", lambda at: _write_derivatives(solution, at / "sensitivities.csv"))
     if plots:
         extras.make_pictures()
@@ -285,7 +285,7 @@ def _write_data(solution: Solution, folder: Path, lost: list[str], request: Mapp
 
 def _write_derivatives(solution: Solution, path: Path) -> None:
     """Write the derivatives of every state and normal force, by each name, over the run's rows."""
-    of = solution.derivatives
+    of = solution.sensitivities()
     if of is None:
         return
     histories = [*solution.engine.states, *(f"{pair}.normal_force" for pair in solution.engine.model.pairs)]

@@ -300,7 +300,6 @@ run.continued("5 ms")  ->  more than the 0.01 s
 run.continued("soon")  ->  duration: found 'soon'
 run.continued("20 ms", target=3)  ->  target: found 3
 run.continued("20 ms", max_steps=1.5)  ->  max_steps: found 1.5
-run.sensitivities()  ->  names: found none
 run.sensitivities("mas")  ->  did you mean mass
 run.sensitivities(3)  ->  named by int
 run.sensitivities("mass")["height", "mass"]  ->  no history 'height'
@@ -379,6 +378,7 @@ run.at(0.005)
 run.at("5 ms")["vertical.travel"]
 run.extremes("vertical.travel").highest
 run.continued("20 ms")
+run.sensitivities()["vertical.travel", "mass"]
 run.sensitivities("mass", "vertical.speed")
 run.sensitivities("restitution")["vertical.travel", "restitution"]
 run.with_histories("ball.x")

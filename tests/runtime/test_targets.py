@@ -171,6 +171,10 @@ def test_an_altered_module_is_refused_unexecuted_with_the_command_that_regenerat
     own.write_text(f"{own.read_text()}\n")
     with pytest.raises(InputError, match=r"hertzwerk derive my_ball.py --out modules"):
         load("modules/my_ball.py")
+    (project / "scenes").mkdir()
+    shutil.move(project / "my_ball.py", project / "scenes")
+    with pytest.raises(InputError, match=r"hertzwerk derive scenes/my_ball.py --out modules"):
+        load("modules/my_ball.py")
 
 
 def test_a_check_says_in_one_line_that_no_module_is_in_place(project):

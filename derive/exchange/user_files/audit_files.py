@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import os
 import tomllib
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
@@ -56,8 +57,8 @@ def audit_files(
     """Findings by file, on a file or on every file of a folder that has scenes or laws.
 
     In a folder, Python files are parsed first, and executed only if they import hertzwerk and define `scene` or make
-    a law; a file given by name is executed. Raises InputError with the faults of all files, and where there is
-    nothing to audit.
+    a law; a file given by name is executed. Raises InputError with the faults of all files, those that are not parsed and
+    mention hertzwerk or [[law]] among them, and where there is nothing to audit.
 
     whole    audits a scene
     """
@@ -108,10 +109,10 @@ def _files(folder: Path) -> Iterator[Path]:
 def _has_laws(file: Path) -> bool:
     try:
         if file.stat().st_size > MAX_BYTES:
-            return b"[[law]]" in file.read_bytes()  # refused later, with the reason
+            return _mentions(file, b"[[law]]")
         content = tomllib.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError):  # not a file of laws
-        return False
+    except (OSError, ValueError, RecursionError):
+        return _mentions(file, b"[[law]]")
     laws = content.get("law")
     return isinstance(laws, list) and bool(laws)
 
@@ -120,7 +121,7 @@ def _declares(file: Path) -> bool:
     try:
         tree = ast.parse(file.read_bytes())
     except (OSError, SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
+        return _mentions(file, b"hertzwerk")
     imported = any(
         (isinstance(node, ast.ImportFrom) and (node.module or "").startswith("hertzwerk"))
         or (isinstance(node, ast.Import) and any(alias.name.startswith("hertzwerk") for alias in node.names))
@@ -132,6 +133,11 @@ def _declares(file: Path) -> bool:
             isinstance(node, ast.Call) and ast.unparse(node.func).split(".")[-1] in _RECORDS for node in ast.walk(tree)
         )
     )
+
+
+def _mentions(file: Path, text: bytes) -> bool:
+    """Return whether a file that is not parsed has a text; it is then refused later, with the reason."""
+    return os.access(file, os.R_OK) and text in file.read_bytes()
 
 
 def _targets(node: ast.stmt) -> list[ast.expr]:

@@ -61,17 +61,15 @@ class BendingShapes:
     def damping(self) -> Rows:
         """Half the damping matrix of ratio 1, by sqrt(E I m/L^3): a symmetric matrix D.
 
-        Without cubics each eigenfunction has the ratio. With them each mode of a rod that is clamped at its start alone has
-        it: D is the geometric mean of the matrices M of mass and K of stiffness, D M^-1 D = K.
+        It is the geometric mean of the matrices M of mass and K of stiffness, D M^-1 D = K. With cubics each mode of a rod that is
+        clamped at its start alone has the ratio; without them M has the frequencies of the eigenfunctions, and each has it.
         """
         with mp.workdps(DIGITS):
-            mass, stiff = self._products(0), self._products(2)
-            if len(self.roots) < len(self._range):
-                lower = mp.cholesky(mass)
-                squares, modes = mp.eigsy(lower**-1 * stiff * lower.T**-1)
-                return _rows(lower * modes * mp.diag([mp.sqrt(square) for square in squares]) * modes.T * lower.T)
-            scale = mp.diag([1 / root for root in self.roots])
-            return _rows(scale * stiff * scale)
+            stiff, cubics = self._products(2), len(self.roots) < len(self._range)
+            mass = self._products(0) if cubics else mp.diag([stiff[i, i] / b**4 for i, b in enumerate(self.roots)])
+            lower = mp.cholesky(mass)
+            squares, modes = mp.eigsy(lower**-1 * stiff * lower.T**-1)
+            return _rows(lower * modes * mp.diag([mp.sqrt(square) for square in squares]) * modes.T * lower.T)
 
     def _products(self, order: int, factor: Callable[[Any], Any] = lambda x: 1) -> Any:
         weights = [(w * factor(x), at[order]) for x, w, at in self._samples]

@@ -87,7 +87,7 @@ class EngineRun:
     """Run as the engine has it: rows of its states, what was found in its steps, scales of its errors.
 
     ends: rows of which the first and the last are the run's; checkpoint: state that a longer run continues from; known_warnings: those that need
-    not be found in the steps.
+    not be found in the steps; derivatives: the `Sensitivities` requested with the run.
     """
 
     history: History
@@ -96,6 +96,7 @@ class EngineRun:
     scales: Scales
     checkpoint: Checkpoint | None = None
     known_warnings: tuple[str, ...] = ()
+    derivatives: Any = None
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:

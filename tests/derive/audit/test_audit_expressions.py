@@ -418,8 +418,15 @@ def test_files_that_are_no_input(tmp_path):
     ):
         with pytest.raises(InputError, match=part):
             audit_path(target)
-    write(tmp_path, again_toml="[[law]]\nkind = 'stiffness'")
+    write(
+        tmp_path,
+        again_toml="[[law]]\nkind = 'stiffness'",
+        half_py="from hertzwerk.derive import Scene\nscene = Scene(",
+        half_toml="[[law]]\nname =",
+    )
     with pytest.raises(InputError) as raised:
         audit_path(tmp_path)
     assert "laws.toml" in str(raised.value)
     assert "again.toml" in str(raised.value)
+    assert "half.py, line 2: found SyntaxError" in str(raised.value)  # one that is broken is not passed over
+    assert "half.toml" in str(raised.value)

@@ -18,11 +18,11 @@ def test_derivatives_are_written_beside_the_run(tmp_path):
     assert "sensitivities.csv" in result.output
     header, *rows = csv.reader((tmp_path / "run" / "sensitivities.csv").read_text().splitlines())
     run = simulate(load("slider_crank"), duration="0.6 ms", sensitivities=("restitution",))
-    travel = run.derivatives["guide.travel", "restitution"]
+    travel = run.sensitivities()["guide.travel", "restitution"]
     assert float(rows[-1][header.index("d(guide.travel)/d(restitution) [m]")]) == pytest.approx(travel[-1], rel=1e-12)
     record = json.loads((tmp_path / "run" / "run.json").read_text())["sensitivities"]["restitution"]
     assert record["final"]["guide.travel"] == pytest.approx(travel[-1], rel=1e-12)
-    assert record["impacts"]["peak_force"] == pytest.approx(run.derivatives.impacts("peak_force", "restitution"))
+    assert record["impacts"]["peak_force"] == pytest.approx(run.sensitivities().impacts("peak_force", "restitution"))
     assert CliRunner().invoke(main, ["report", str(tmp_path / "run")]).exit_code == 0
     final, impacts = Outline((tmp_path / "run" / "report.html").read_text("utf-8")).tables["Sensitivities"]
     shown = {row[0]: row[1].replace("\N{MINUS SIGN}", "-") for row in final}

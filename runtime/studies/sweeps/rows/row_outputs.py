@@ -62,9 +62,9 @@ class Measured:
     def derivatives(self) -> OutputDerivatives:
         """Derivatives of outputs; raises NoDerivativeError where the run has none."""
         run = with_steps(self.run)
-        if self.run.derivatives is None:
+        if self.run.engine.derivatives is None:
             raise NoDerivativeError("the run has none: its steps were not kept")
-        return OutputDerivatives(run, self.run.derivatives)
+        return OutputDerivatives(run, self.run.engine.derivatives)
 
     def impacts(self, pair: str | None) -> list[Impact]:
         """Contacts of one pair, or of all."""

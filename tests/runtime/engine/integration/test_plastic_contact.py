@@ -161,7 +161,9 @@ def test_a_body_at_rest_loads_its_contact_and_then_rests_on_its_dent():
 
 
 def test_derivatives_pass_the_events_of_a_dent():
-    found = simulate("yielding_ball", duration="0.8 s", tolerance=1e-11, sensitivities=("yield_strength",)).derivatives
+    found = simulate(
+        "yielding_ball", duration="0.8 s", tolerance=1e-11, sensitivities=("yield_strength",)
+    ).sensitivities()
     step = 1e4
     speeds = [
         simulate("yielding_ball", duration="0.8 s", tolerance=1e-11, parameters={"yield_strength": (1e9 + way, "Pa")})

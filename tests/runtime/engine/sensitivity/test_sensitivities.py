@@ -276,12 +276,14 @@ def test_a_run_returns_them_on_request(crank):
     how = {"duration": "1 ms", "tolerance": 1e-9, "compiled": False}
     run = simulate(crank, **how, sensitivities=("restitution", "guide.travel"))
     later = simulate(crank, **how).sensitivities("restitution", "guide.travel")
-    result = run.derivatives["slider_pin.normal_force", "restitution"]
+    result = run.sensitivities()["slider_pin.normal_force", "restitution"]
     np.testing.assert_array_equal(result, later["slider_pin.normal_force", "restitution"])
-    assert (run.derivatives.unit("slider_pin.normal_force", "restitution"), len(result)) == ("N", len(run.t))
-    assert run.derivatives.impacts("speed", "restitution").tolist() == later.impacts("speed", "restitution").tolist()
+    assert (run.sensitivities().unit("slider_pin.normal_force", "restitution"), len(result)) == ("N", len(run.t))
+    assert (
+        run.sensitivities().impacts("speed", "restitution").tolist() == later.impacts("speed", "restitution").tolist()
+    )
     grid = simulate(crank, **how, grid=20, sensitivities=("restitution",))
-    travel = grid.derivatives.at(grid.t, "guide.travel", "restitution")
+    travel = grid.sensitivities().at(grid.t, "guide.travel", "restitution")
     assert travel.shape == (20,)
     assert travel[-1] == pytest.approx(later["guide.travel", "restitution"][-1], rel=1e-9)
 

@@ -119,7 +119,7 @@ def test_no_picture_of_an_object_is_its_address(run):
             run,
             run.engine.history,
             run.at(0.05),
-            run.derivatives,
+            run.sensitivities(),
             run.impacts,
         ),
         *(

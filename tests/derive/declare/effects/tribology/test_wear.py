@@ -193,7 +193,7 @@ def test_derivatives_pass_through_wear():
         )
         for history in ("guide.travel", "wear.volume", "wear.bush_1"):
             difference = (more[history][-1] - less[history][-1]) / (2e-5 * value * si)
-            assert run.derivatives[history, name][-1] == pytest.approx(difference, rel=1e-5)
+            assert run.sensitivities()[history, name][-1] == pytest.approx(difference, rel=1e-5)
 
 
 def test_rest_and_vibrations_in_a_worn_bush():

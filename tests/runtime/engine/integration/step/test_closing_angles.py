@@ -184,7 +184,7 @@ def test_its_derivatives_are_those_of_differences():
         up, down = (simulate(model, **how, parameters={name: f"{value * (1 + sign * h)!r} {unit}"}) for sign in (1, -1))
         for history in ("hinge.angle", "cross.angle_1", "cross.angle_2"):
             slope = (up[history][-1] - down[history][-1]) / (2 * h * value)
-            assert run.derivatives[history, name][-1] == pytest.approx(slope, rel=1e-6), (history, name)
+            assert run.sensitivities()[history, name][-1] == pytest.approx(slope, rel=1e-6), (history, name)
 
 
 @pytest.mark.slow

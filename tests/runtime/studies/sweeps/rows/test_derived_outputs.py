@@ -71,7 +71,7 @@ def test_an_average_beyond_the_horizon_says_so():
     assert "horizon of its derivatives" in long.message
     assert "slope(OUTPUT, NAME)" in long.message
     run = simulate(model, duration="20 s", tolerance=1e-8, initial=long.stated, compiled=False, sensitivities=["shoulder.angle"])  # fmt: skip
-    assert 4 < run.derivatives.horizon < 12
+    assert 4 < run.sensitivities().horizon < 12
 
 
 def test_a_slope_of_scattered_rows_is_within_its_interval_19_times_of_20():
