@@ -8,6 +8,7 @@ import pytest
 import hertzwerk.derive as hd
 from hertzwerk.derive.laws import gonthier, power, smooth_coulomb
 from hertzwerk.runtime import load, simulate, simulation
+from hertzwerk.runtime.engine.accuracy.error_estimate import CHECK
 from hertzwerk.runtime.engine.integration.loop import automatic_compilation, c_compilation, chunk
 from hertzwerk.runtime.engine.integration.loop.chunk import STALL, STALLED
 from hertzwerk.runtime.engine.model import caller
@@ -118,7 +119,7 @@ def test_max_steps_is_a_limit_of_each_run(crank):
     cut = simulate(crank, **options, max_steps=steps + 1)  # the run that checks it takes more
     assert cut.outcome.name == "too_many_steps"
     assert f"max_steps = {steps + 1:,}" in cut.outcome.message
-    assert f"the run at tolerance {whole.settings.tolerance / 5:.2g}" in cut.outcome.message
+    assert f"the run at tolerance {whole.settings.tolerance / CHECK:.2g}" in cut.outcome.message
 
 
 def test_without_a_limit_no_count_ends_a_run(monkeypatch):
