@@ -7,6 +7,7 @@ the accelerations, with loops closed. No module is derived for them.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -83,17 +84,21 @@ def _sliding(model: EngineModel, t: ca.SX, q: ca.SX, u: ca.SX, c: ca.SX) -> list
     return [model.function(f"contact_{pair}")(t, q, u, z, m, c)[3] for pair in model.pairs]
 
 
+def _velocity(model: EngineModel, t: ca.SX, q: ca.SX, u: ca.SX, c: ca.SX) -> ca.SX:
+    """Return the velocities (m,) along the rows."""
+    gap_rate, sliding = model.function("gaps")(t, q, u, c)[1], _sliding(model, t, q, u, c)
+    return ca.vertcat(
+        *(ca.vertcat(gap_rate[j], sliding[j] if count else ca.SX(0, 1)) for j, count in enumerate(_tangents(model)))
+    )
+
+
 @per_model
 def _equations(model: EngineModel) -> Callers:
     """Build the function (t, q, u, c) -> fields of `State`."""
     t, q, u, c = symbols = model.symbols("t q u c")
     f = model.symbols("f")[0]
     rates = model.function("coordinate_rates")(t, q, u, c)
-    gap, gap_rate = model.function("gaps")(t, q, u, c)
-    sliding = _sliding(model, t, q, u, c)
-    velocity = ca.vertcat(
-        *(ca.vertcat(gap_rate[j], sliding[j] if count else ca.SX(0, 1)) for j, count in enumerate(_tangents(model)))
-    )
+    gap, velocity = model.function("gaps")(t, q, u, c)[0], _velocity(model, t, q, u, c)
     R = ca.jacobian(velocity, u)
     forces = model.function("applied")(t, q, u, c)
     free = model.function("accelerations")(t, q, u, forces, c)[0]
@@ -102,6 +107,31 @@ def _equations(model: EngineModel) -> Callers:
     bias = ca.mtimes(R, free) + ca.jtimes(velocity, ca.vertcat(t, q), ca.vertcat(1, rates))
     results = [rates, free, pushed, ca.mtimes(R, pushed), velocity, bias, gap]
     return Callers(ca.Function("rigid", symbols, [ca.densify(x) for x in ca.cse(results)]))
+
+
+@per_model
+def _work(model: EngineModel) -> Callers | None:
+    """Build the function (t, q, u, x (m,), c) -> power [W] of drives and effects under forces x along the rows; work [J] of drives at impulses x.
+
+    Less what effects dissipate; None where nothing is booked. Contact forces act on driven bodies too: along the part of the rows'
+    velocities that the drives impose.
+    """
+    if not model.has_ledger:
+        return None
+    t, q, u, c = model.symbols("t q u c")
+    velocity, forces = _velocity(model, t, q, u, c), model.function("applied")(t, q, u, c)
+    x, driven = ca.SX.sym("x", velocity.numel()), ca.substitute(velocity, u, ca.SX.zeros(model.nu))
+    signs = ca.DM([-1 if name.endswith(".dissipated") else 1 for name, _ in model.module.MEMORY])
+
+    def power(along: Any) -> Any:
+        pushed = ca.vertcat(ca.mtimes(ca.jacobian(velocity, u).T, along), ca.SX.zeros(forces.numel() - model.nu))
+        reactions = model.function("accelerations")(t, q, u, forces + pushed, c)[1]
+        return ca.dot(signs, model.function("ledger")(t, q, u, reactions, c)) - ca.dot(along, driven)
+
+    results = [power(x), power(x) - power(ca.SX.zeros(x.numel()))]
+    if results[0].is_zero():
+        return None
+    return Callers(ca.Function("work", [t, q, u, x, c], [ca.densify(part) for part in ca.cse(results)]))
 
 
 @per_model
@@ -122,15 +152,23 @@ class Equations:
         for count in _tangents(model):
             self.rows.append((first, tuple(range(first + 1, first + 1 + count))))
             first += 1 + count
-        self._m = first
-        self._closing = closing(model)
+        self.m = first
+        self._closing, self._work = closing(model), _work(model)
+        self.booked = self._work is not None
 
     def at(self, t: float, y: Array) -> State:
         """Return the motion at a time and state y = (q, u)."""
-        model, m = self.model, self._m
+        model, m = self.model, self.m
         shapes = ((model.nq,), (model.nu,), (model.nu, m), (m, m), (m,), (m,), (model.k,))
         results = self._evaluate(t, y[: model.nq], y[model.nq :], self._c)
         return State(*(np.asarray(x).reshape(shape) for x, shape in zip(results, shapes, strict=True)))
+
+    def work(self, t: float, y: Array, forces: Array) -> tuple[float, float]:
+        """Return the power [W] that drives and effects put in under forces (m,) along the rows, and the work [J] of drives at such impulses."""
+        if self._work is None:
+            return 0.0, 0.0
+        power, work = self._work(t, y[: self.model.nq], y[self.model.nq :], forces, self._c)
+        return float(np.sum(power)), float(np.sum(work))
 
     def closed(self, t: float, y: Array, normals: list[int], held: list[int], gaps: list[int]) -> Array:
         """Return a state on its constraints: of loops, gaps of pairs, velocities along rows, unit quaternions.

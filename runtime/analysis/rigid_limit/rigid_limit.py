@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +15,7 @@ from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.markup import heading, joined, table, tag
 from hertzwerk.runtime.analysis.rigid_limit.rigid_equations import Equations, distance_of, refused, tangent_faults
 from hertzwerk.runtime.analysis.rigid_limit.rigid_impact import RigidImpact, read_impacts
-from hertzwerk.runtime.analysis.rigid_limit.rigid_run import Accumulation, Motion, RigidImpulse, RigidRun
+from hertzwerk.runtime.analysis.rigid_limit.rigid_run import LEAST_STEPS, Accumulation, Motion, RigidImpulse, RigidRun
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.run_request import Settings, is_real, progress_faults, read
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 
 TOGETHER, IN_TURN = "together", "in turn"
 SHOWN = 8  # impacts of a table
+TIGHTEST = 1e-13  # tolerance of a run that others are compared with
 ROUNDING = 1e-9  # of the duration: a smaller difference of onsets shows no order
 
 
@@ -52,6 +54,7 @@ class RigidLimit(Mapping[str, Array]):
     impulses, accumulations    impacts, and the ends of sequences of ever shorter flights
     t (n,) [s], energy (n,) [J]    at the ends of steps, and before and after each impact; energy is nan without an `EnergyLedger`
     rubbed    energy that friction dissipates between impacts [J]
+    sizes (nq + nu), again    scales of the states; the run once more, with a hundredth of the tolerance
     stiffer    compliant runs of the scene, by growing stiffness
     """
 
@@ -60,6 +63,8 @@ class RigidLimit(Mapping[str, Array]):
     outcome: Outcome
     motion: Motion
     law: Mapping[str, RigidImpact]
+    sizes: Array
+    again: Callable[[], Motion]
     stiffness: str
     stiffer: tuple[StifferRun, ...] = ()
 
@@ -116,8 +121,18 @@ class RigidLimit(Mapping[str, Array]):
 
     @property
     def balance(self) -> float:
-        """Energy [J] by which the motion misses its balance; it contains the work of drives."""
-        return float(self.energy[-1] - self.energy[0]) + self.lost + self.rubbed
+        """Energy [J] by which the motion misses its balance; the work of drives and effects is booked."""
+        return float(self.energy[-1] - self.energy[0]) + self.lost + self.rubbed - self.motion.work
+
+    @cached_property
+    def differences(self) -> tuple[float, float]:
+        """Differences from a run with a hundredth of the tolerance and shorter steps: of times of impacts [s], and of the end state in its scales.
+
+        The times are those of the first impacts, as long as the same contacts collide. This is a comparison, no estimate.
+        """
+        finer, sizes = self.again(), self.sizes
+        apart = np.max(np.abs(_apart(self.motion, finer.impulses)), initial=0.0)
+        return float(apart), float(np.max(np.abs(self.motion.y[-1] - finer.y[-1]) / sizes))
 
     def at(self, name: str, times: Sequence[float] | Array) -> Array:
         """Return a coordinate or speed at times [s] within the run, after an impact at the same instant."""
@@ -240,7 +255,8 @@ def rigid_limit(
     duration, parameters, initial    as `simulate` takes them
     impacts     of contacts that touch at one time: "together", all impulses at once, or "in turn", one by one, the fastest first
     stiffness   a parameter: compliant runs with its value times each of `factors` stand beside the rigid one
-    tolerance   local tolerance of the rigid run, which has no error estimate; accuracy    of the compliant ones
+    tolerance   local tolerance of the rigid run; its error is not estimated, `differences` compares it with a tighter run
+    accuracy    of the compliant runs
     progress    a function that is called now and then with the fraction done
 
     Sequences of impacts with ever shorter flights end at their limit, and the contact lasts from there, until its force would pull. The
@@ -265,17 +281,22 @@ def rigid_limit(
     request, _ = read(model, Settings(duration, None, tolerance), values, wanted, faults)
     report = progress or (lambda _: None)
     share = 1 / (1 + len(factors)) if stiffness else 1.0
-    run = RigidRun(
-        Equations(model, request.bound), laws, list(model.pairs), impacts == TOGETHER, request.scales.scene[:3],
-        request.scales.state[: model.nq + model.nu], tolerance, request.seconds, lambda part: report(share * part),
-    )  # fmt: skip
-    motion = run.run(np.concatenate([request.q, request.u]))
+    sizes = request.scales.state[: model.nq + model.nu]
+
+    def motion_at(tolerance: float, steps: int = LEAST_STEPS) -> Motion:
+        run = RigidRun(
+            Equations(model, request.bound), laws, list(model.pairs), impacts == TOGETHER, request.scales.scene[:3],
+            sizes, tolerance, request.seconds, steps, lambda part: report(share * part),
+        )  # fmt: skip
+        return run.run(np.concatenate([request.q, request.u]))
+
+    motion = motion_at(tolerance)
     stiffer = []
     for i, factor in enumerate(factors if stiffness else ()):
         value = request.bound.values[stiffness]
         softer = {**values, stiffness: (value[0] * factor, value[1])}
         compliant = simulate(model, duration=duration, parameters=softer, initial=wanted, accuracy=accuracy)
-        stiffer.append(StifferRun(float(factor), compliant, _apart(motion, compliant)))
+        stiffer.append(StifferRun(float(factor), compliant, _apart(motion, compliant.impacts)))
         report(share * (i + 2))
     outcome = motion.outcome
     early = [each for each in stiffer if each.run.outcome.name not in REACHED_END]
@@ -284,13 +305,14 @@ def rigid_limit(
         outcome = Outcome(
             first.name, f"the run with {stiffness} times {early[0].factor:g}: {first.message}", first.remedy
         )
-    return RigidLimit(model, request.bound.c, outcome, motion, of_pairs, stiffness, tuple(stiffer))
+    again = partial(motion_at, max(tolerance / 100, TIGHTEST), 2 * LEAST_STEPS + 1)
+    return RigidLimit(model, request.bound.c, outcome, motion, of_pairs, sizes, again, stiffness, tuple(stiffer))
 
 
-def _apart(motion: Motion, run: Solution) -> Array:
-    """Return the differences [s] of onsets from the rigid ones, as long as the same pairs collide."""
+def _apart(motion: Motion, impacts: Sequence[Any]) -> Array:
+    """Return the differences [s] of other impacts from the rigid ones, as long as the same pairs collide."""
     apart = []
-    for impact, impulse in zip(run.impacts, motion.impulses, strict=False):
+    for impact, impulse in zip(impacts, motion.impulses, strict=False):
         if impact.contact != impulse.contact:
             break
         apart.append(impact.t - impulse.t)

@@ -21,7 +21,7 @@ from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.system.arrays import Array
 
 PARTS = 8  # of a step, at whose ends events are looked for; between them the polynomial is followed by its extremes
-LEAST_STEPS = 50  # of a run
+LEAST_STEPS = 50  # of a run; one that it is compared with takes more, as equal steps would show no error
 TOUCHES = 1e-9  # of the scene's length: gap that counts as closed
 STILL = 1e-10  # of the scene's speed: velocity that counts as none
 FORCE = 1e-10  # of the largest force so far: force that counts as none
@@ -60,6 +60,7 @@ class Motion:
 
     t (n,), y (n, nq + nu) at the ends of steps, before and after impacts
     rubbed    energy [J] that friction dissipated between impacts
+    work    energy [J] that drives and effects put in, less what effects dissipated; 0 without an `EnergyLedger`
     """
 
     t: list[float] = field(default_factory=list)
@@ -68,6 +69,7 @@ class Motion:
     accumulations: list[Accumulation] = field(default_factory=list)
     segments: list[Any] = field(default_factory=list)
     rubbed: float = 0.0
+    work: float = 0.0
     outcome: Outcome = field(default_factory=lambda: Outcome("finished", "", ""))
 
     def at(self, times: Array) -> Array:
@@ -83,7 +85,7 @@ class RigidRun:
     """A run, but for its results.
 
     together    whether contacts that touch take their impulses at once, or one by one, the fastest first
-    scale    of length [m], speed [m/s], force [N]; sizes (nq + nu) of the states; tolerance of a step relative to them
+    scale    of length [m], speed [m/s], force [N]; sizes (nq + nu) of the states; tolerance of a step relative to them; steps    least number
     """
 
     equations: Equations
@@ -94,6 +96,7 @@ class RigidRun:
     sizes: Array
     tolerance: float
     duration: float
+    steps: int
     progress: Callable[[float], object]
     mode: list[str] = field(default_factory=list)
     ways: list[Array] = field(default_factory=list)  # directions of sliding
@@ -193,9 +196,17 @@ class RigidRun:
                 self.motion.impulses.append(RigidImpulse(
                     self.names[j], t, float(-v[one.n]), float(after[one.n]), float(impulse[one.n]),
                     float(np.linalg.norm(impulse[rows])), float(lost)))  # fmt: skip
+        self._work(t, y, chosen, impulse)
         y = y.copy()
         y[nq:] += at.pushed[:, chosen] @ impulse
         return y
+
+    def _work(self, t: float, y: Array, rows: Sequence[int], impulses: Array) -> None:
+        """Add the work of drives at impulses along some rows."""
+        if self.equations.booked:
+            along = np.zeros(self.equations.m)
+            along[rows] = impulses
+            self.motion.work += self.equations.work(t, y, along)[1]
 
     def _contacts(self, pairs: Sequence[int]) -> tuple[list[int], list[Contact]]:
         """Return the rows of some pairs, and these as contacts by places in that list."""
@@ -228,7 +239,9 @@ class RigidRun:
                     self.motion.accumulations.append(Accumulation(self.names[j], t + left))
         if not ended:
             return y, at
-        y = self.equations.closed(t, y, [], [self.equations.rows[j][0] for j in ended], [])
+        normals = [self.equations.rows[j][0] for j in ended]
+        self._work(t, y, normals, np.linalg.lstsq(at.D[np.ix_(normals, normals)], -at.velocity[normals])[0])
+        y = self.equations.closed(t, y, [], normals, [])
         return y, self.equations.at(t, y)
 
     def _decide(self, at: State, resting: Sequence[int], slips: int | None = None) -> None:
@@ -311,7 +324,7 @@ class RigidRun:
         from scipy.integrate import DOP853  # slow to import
 
         solver = DOP853(self._rates, t, y, self.duration, rtol=self.tolerance, atol=self.tolerance * self.sizes,
-                        max_step=self.duration / LEAST_STEPS)  # fmt: skip
+                        max_step=self.duration / self.steps)  # fmt: skip
         while True:
             solver.step()
             if solver.status == "failed":
@@ -320,7 +333,7 @@ class RigidRun:
             event = self._first_event(dense)
             end, pair = (solver.t, None) if event is None else event
             self.motion.segments.append(_Segment(dense, end))
-            self._rub(dense, end)
+            self._book(dense, end)
             if event is not None:
                 y = self._onto(end, dense(end))
                 self._keep(end, y)
@@ -388,16 +401,19 @@ class RigidRun:
             if self._margins(closing, dense)[j][1] < -STILL * self.scale[1]:
                 yield closing
 
-    def _rub(self, dense: Any, end: float) -> None:
-        """Add the energy that friction dissipates in a step, by Gauss's quadrature."""
-        if not any(mode == SLIDES and law.mu for mode, law in zip(self.mode, self.laws, strict=True)):
+    def _book(self, dense: Any, end: float) -> None:
+        """Add the energies of a step, by Gauss's quadrature: what friction dissipates, what drives and effects put in."""
+        rubs = any(mode == SLIDES and law.mu for mode, law in zip(self.mode, self.laws, strict=True))
+        if not rubs and not self.equations.booked:
             return
         half = (end - dense.t_old) / 2
         for place, weight in zip(*np.polynomial.legendre.leggauss(PARTS), strict=True):
             at = self.equations.at(t := dense.t_old + half * (1 + place), dense(t))
             forces = self._accelerations(at)[2]
             rows = [row for _, tangents in self.equations.rows for row in tangents]
-            self.motion.rubbed -= float(half * weight * (forces[rows] @ at.velocity[rows]))
+            self.motion.rubbed -= float(half * weight * (forces[rows] @ at.velocity[rows])) if rubs else 0.0
+            if self.equations.booked:
+                self.motion.work += half * weight * self.equations.work(t, dense(t), forces)[0]
 
 
 @dataclass(frozen=True)

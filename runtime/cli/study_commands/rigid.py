@@ -81,6 +81,11 @@ def rigid(target: str, out: Path | None, as_json: bool, **options: Any) -> int:
         for text in limit.lines:
             click.echo(text)
         table(*limit.rows)
+        if limit.outcome.finished:
+            apart, end = limit.differences
+            click.echo(
+                f"a run with a hundredth of the tolerance: impacts within {apart:.1g} s, the end within {end:.1g} of its scales"
+            )
     draw_into(out, limit.plot, announced=not as_json)
     return GOOD if limit.outcome.finished else OTHER_OUTCOME
 

@@ -222,6 +222,10 @@ def test_slider_crank_converges_impact_by_impact():
     for impact in (1, 2):
         late = [abs(each.apart[impact]) for each in limit.stiffer]
         assert late[0] > 2 * late[1] > 4 * late[2]
+    assert limit.motion.work > 1  # of the drive, at impacts too
+    assert abs(limit.balance) < 1e-10 * limit.energy.max()
+    apart, end = limit.differences
+    assert 0 < apart < 1e-10 and 0 < end < 1e-7
 
 
 def test_poisson_and_newton_agree_without_friction():
