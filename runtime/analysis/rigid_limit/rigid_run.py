@@ -201,7 +201,7 @@ class RigidRun:
         y[nq:] += at.pushed[:, chosen] @ impulse
         return y
 
-    def _work(self, t: float, y: Array, rows: Sequence[int], impulses: Array) -> None:
+    def _work(self, t: float, y: Array, rows: Sequence[int], impulses: Any) -> None:
         """Add the work of drives at impulses along some rows."""
         if self.equations.booked:
             along = np.zeros(self.equations.m)
