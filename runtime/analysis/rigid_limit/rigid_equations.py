@@ -111,10 +111,10 @@ def _equations(model: EngineModel) -> Callers:
 
 @per_model
 def _work(model: EngineModel) -> Callers | None:
-    """Build the function (t, q, u, x (m,), c) -> power [W] of drives and effects under forces x along the rows; work [J] of drives at impulses x.
+    """Build the function (t, q, u, x (m,), c) -> power [W] and work [J] of drives and effects.
 
-    Less what effects dissipate; None where nothing is booked. Contact forces act on driven bodies too: along the part of the rows'
-    velocities that the drives impose.
+    The power is that under forces x along the rows, less what effects dissipate, and the work that of drives at such impulses; None
+    where nothing is booked. Contact forces act on driven bodies too: along the part of the rows' velocities that the drives impose.
     """
     if not model.has_ledger:
         return None
@@ -164,7 +164,7 @@ class Equations:
         return State(*(np.asarray(x).reshape(shape) for x, shape in zip(results, shapes, strict=True)))
 
     def work(self, t: float, y: Array, forces: Array) -> tuple[float, float]:
-        """Return the power [W] that drives and effects put in under forces (m,) along the rows, and the work [J] of drives at such impulses."""
+        """Return the power [W] of drives and effects under forces (m,), and the work [J] at such impulses."""
         if self._work is None:
             return 0.0, 0.0
         power, work = self._work(t, y[: self.model.nq], y[self.model.nq :], forces, self._c)

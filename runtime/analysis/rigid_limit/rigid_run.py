@@ -402,7 +402,7 @@ class RigidRun:
                 yield closing
 
     def _book(self, dense: Any, end: float) -> None:
-        """Add the energies of a step, by Gauss's quadrature: what friction dissipates, what drives and effects put in."""
+        """Add the energies of a step, by Gauss's quadrature: of friction, and of drives and effects."""
         rubs = any(mode == SLIDES and law.mu for mode, law in zip(self.mode, self.laws, strict=True))
         if not rubs and not self.equations.booked:
             return
