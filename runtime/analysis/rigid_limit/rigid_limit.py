@@ -126,9 +126,10 @@ class RigidLimit(Mapping[str, Array]):
 
     @cached_property
     def differences(self) -> tuple[float, float]:
-        """Differences from a run with a hundredth of the tolerance and shorter steps: of times of impacts [s], and of the end state in its scales.
+        """Differences from a finer run: of times of impacts [s], and of the end state in its scales.
 
-        The times are those of the first impacts, as long as the same contacts collide. This is a comparison, no estimate.
+        It has a hundredth of the tolerance and shorter steps. The times are those of the first impacts, as long as the same contacts
+        collide. This is a comparison, no estimate.
         """
         finer, sizes = self.again(), self.sizes
         apart = np.max(np.abs(_apart(self.motion, finer.impulses)), initial=0.0)
