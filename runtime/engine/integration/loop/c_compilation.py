@@ -25,7 +25,7 @@ from typing import Any
 
 import casadi as ca
 
-from hertzwerk.runtime.engine.integration.loop.c_files import OFTEN, SELDOM, CFile, c_files, looped
+from hertzwerk.runtime.engine.integration.loop.c_files import OFTEN, SELDOM, CFile, c_files, fused, looped
 from hertzwerk.runtime.system import cache as disk
 from hertzwerk.runtime.system.atomic_files import scratch_folder
 from hertzwerk.runtime.system.forked_tasks import cores
@@ -147,7 +147,7 @@ def c_text(functions: Iterable[Any], name: str = "hertzwerk_chunk") -> str:
     # what the library's functions give, in line: a call costs as much as ten operations
     for name, order in (("fmin", "<"), ("fmax", ">")):
         text = text.replace(f"return {name}(x, y);", f"return x {order} y || y != y ? x : y;")
-    return INDEPENDENT + text.replace(LOOP, EACH)
+    return INDEPENDENT + fused(text).replace(LOOP, EACH)
 
 
 def compile_files(

@@ -1,13 +1,14 @@
-"""Division of the C text of CasADi functions into files and functions that compile fast.
+"""Division of the C text of CasADi functions into files, functions and loops that compile fast.
 
-A compiler takes a time, and a memory, that grow with the square of a function's length, and every condition costs it a
-branch. What is compiled gives the same bits.
+A compiler takes a time, and a memory, that grow with the square of a function's length, every condition costs it a
+branch, and a loop as much as 200 characters. What is compiled gives the same bits.
 """
 
 from __future__ import annotations
 
 import math
 import re
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
@@ -68,6 +69,17 @@ _ARGUMENT = re.compile(r"arg\[(\d+)\]\? arg\[\1\]\[(\d+)\] : 0")
 _RESULT = re.compile(r"if \(res\[(\d+)\]!=0\) res\[\1\]\[(\d+)\]=")
 _VARIABLE = re.compile(r"\ba\d+\b")
 _CALLED = re.compile(r"\bcasadi_f\d\w*\b")
+
+_VECTORS = re.compile(r"(?<= \{\n)  casadi_int i.*;\n(?:.+\n)*?(?=\}\n)")
+_DECLARED = re.compile(r"(  (?:const )?casadi_(?:real|int)\*?) (.*);\n")
+_EACH = re.compile(
+    r"  for \(i=0, rr=(w\d+)(?:, cr=([\w+]+))?(?:, cs=([\w+]+))?; i<(\d+); \+\+i\) \(?\*rr\+\+\)? +([-+*/]?)= ?(.*);\n"
+)
+_COPY = re.compile(r"  casadi_copy\((\w+), (\d+), (w\d+)\);\n")
+_VALUE = re.compile(r"  (wr?\d+) +([-+*/]?)= (.*);\n")
+_RETURNED = re.compile(r"  res\d*\[\d+\]=(w\d+);\n")
+_NAMED = re.compile(r"\bwr?\d+\b")
+_NUMBER = re.compile(r"-?\d[\d.e+-]*")
 
 
 @dataclass(frozen=True)
@@ -223,3 +235,91 @@ def _parts(body: str) -> tuple[list[str], int]:
 
 def _variables(names: Iterable[str]) -> list[str]:
     return sorted(set(names), key=lambda name: int(name[1:]))
+
+
+# -- functions of vectors ----------------------------------------------------------------------------------------------
+
+
+@dataclass(eq=False)
+class _Line:
+    """Line of a function of vectors; of one that gives a variable a new value: the target, its value or that of entry i."""
+
+    text: str
+    target: str = ""
+    value: str = ""  # "" where a call returns it
+    entries: int = 0  # 0 of a scalar
+
+    @property
+    def names(self) -> list[str]:
+        """Names of variables that it reads; without a target all of the line."""
+        return _NAMED.findall(self.value if self.target else self.text)
+
+    def changes(self, names: Iterable[str]) -> bool:
+        """Return whether it may change the value of one of these variables; the end of a block may."""
+        return self.target in names if self.target else not {"{", "}", *names}.isdisjoint([*self.text, *self.names])
+
+    def give(self, value: str) -> None:
+        """Give the target this value."""
+        self.value, (loop, place) = value, (f"EACH (i=0; i<{self.entries}; ++i) ", "[i]") if self.entries else ("", "")
+        self.text = f"  {loop}{self.target}{place}={value};\n"
+
+
+def fused(text: str) -> str:
+    """Return C text in which a vector that one loop computes for one other is computed there, and numbers stand where they are used.
+
+    CasADi writes a loop for each operation.
+    """
+    return _VECTORS.sub(_fused, text)
+
+
+def _fused(body: re.Match[str]) -> str:
+    lines = [_line(text) for text in body[0].splitlines(keepends=True)]
+    for i, line in enumerate(lines):
+        after = lines[i + 1 :] if line.value else []
+        end = next((k for k, other in enumerate(after, 1) if other.target == line.target), len(after))
+        readers = [other for other in after[:end] if line.target in other.names]
+        entry, names = line.target, {*line.names}
+        fuses = not line.entries and all(reader.value for reader in readers) and bool(_NUMBER.fullmatch(line.value))
+        if line.entries and len(readers) == 1:
+            entry, (reader,) = f"{line.target}[i]", readers
+            fuses = (
+                reader.entries == line.entries
+                and reader.names.count(line.target) == reader.value.count(entry) == 1
+                and not any(other.changes(names) for other in after[: after.index(reader)])
+            )
+        if fuses:
+            value = f"({line.value})" if line.value[0] == "-" else line.value
+            for reader in readers:
+                reader.give(re.sub(rf"\b{re.escape(entry)}(?!\w)", value, reader.value))
+            lines[i] = _Line("")
+    text = "".join(line.text for line in lines)
+    count = Counter(re.findall(r"\w+", text))
+
+    def declared(line: re.Match[str]) -> str:
+        variables = [
+            each for each in line[2].split(", ") if any(count[name] > 1 for name in re.findall(r"\w+", each)[:1])
+        ]
+        return f"{line[1]} {', '.join(variables)};\n" if variables else ""
+
+    return _DECLARED.sub(declared, text)
+
+
+def _line(text: str) -> _Line:
+    """Return a line of C, as CasADi writes it."""
+    if match := _EACH.fullmatch(text):
+        target, *operands, entries, operation, value = match.groups()
+        for pointer, operand in zip(("cr", "cs"), operands, strict=True):
+            name, plus, offset = (operand or "").partition("+")
+            value = re.sub(
+                rf"\(\*{pointer}\+\+\)| ?\*{pointer}\+\+ ?|{pointer}\[i\]", f"{name}[i{plus}{offset}]", value
+            )
+        line = _Line(text, target, entries=int(entries))
+        line.give(f"({target}[i]{operation}{value})" if operation else value)
+        return line
+    if match := _COPY.fullmatch(text):
+        return _Line(text, match[3], f"{match[1]}[i]", int(match[2]))
+    if match := _VALUE.fullmatch(text):
+        target, operation, value = match.groups()
+        return _Line(text, target, f"({target}{operation}{value})" if operation else value)
+    match = _RETURNED.fullmatch(text)
+    return _Line(text, match[1] if match else "")

@@ -90,6 +90,52 @@ def test_conditions_are_masks_that_give_the_same_bits(monkeypatch, tmp_path):
             assert np.array_equal(*bits), (condition, value)
 
 
+def _random_vectors(rng, name):
+    """A function of vectors with numbers, parts, and values that are read later, more than once, or in place."""
+    x, h = ca.MX.sym("x", 9), ca.MX.sym("h")
+    known = [x, x[1:8].T.T, -x]
+    for _ in range(30):
+        a, b = (known[-1 - min(int(rng.exponential(3)), len(known) - 1)] for _ in range(2))
+        n = min(a.numel(), b.numel())
+        a, b = (part[:n] if rng.random() < 0.8 else part[part.numel() - n :] for part in (a, b))
+        number = float(rng.normal())
+        made = [
+            a + b,
+            a - number * b,
+            h * a + b,
+            a * number,
+            b / (2 + a * a),
+            ca.fmax(a, b),
+            ca.if_else(a < b, number * a, b),
+        ]
+        known.append(made[rng.integers(len(made))])
+    return ca.Function(name, [x, h], [*known[-3:], ca.vertcat(*(part[:2] for part in known[::7]))])
+
+
+def test_loops_over_vectors_are_fused_and_give_the_same_bits(monkeypatch, tmp_path):
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
+    rng = np.random.default_rng(3)
+    functions = [_random_vectors(rng, f"vectors_{i}") for i in range(5)]
+    written = [c_text(functions).count("EACH (i")]
+
+    def differ():
+        given = rng.normal(size=9), 0.1
+        native = Program(*functions).load()
+        pairs = (
+            (np.array(a), np.array(b))
+            for f, g in zip(functions, native, strict=True)
+            for a, b in zip(f(*given), g(*given), strict=True)
+        )
+        return sum(not np.array_equal(a.view(np.uint64), b.view(np.uint64)) for a, b in pairs)
+
+    assert differ() == 0
+    monkeypatch.setattr(c_files._Line, "changes", lambda line, names: False)
+    assert differ() > 0
+    monkeypatch.setattr(c_compilation, "fused", lambda text: text)
+    written.append(c_text(functions).count("EACH (i"))
+    assert written[0] < 0.6 * written[1]
+
+
 def test_arguments_and_results_may_be_absent(small):
     """0 for an argument without entries, nothing for a result that nobody reads; in parts as well."""
     x, y, nothing = ca.SX.sym("x", 3), ca.SX.sym("y", 2), ca.MX(2, 1)
