@@ -242,7 +242,7 @@ def _variables(names: Iterable[str]) -> list[str]:
 
 @dataclass(eq=False)
 class _Line:
-    """Line of a function of vectors; of one that gives a variable a new value: the target, its value or that of entry i."""
+    """Line of a function of vectors; the target that it gives a value, and that value or its entry i."""
 
     text: str
     target: str = ""
@@ -265,9 +265,9 @@ class _Line:
 
 
 def fused(text: str) -> str:
-    """Return C text in which a vector that one loop computes for one other is computed there, and numbers stand where they are used.
+    """Return C text with one loop for each chain of operations on vectors.
 
-    CasADi writes a loop for each operation.
+    CasADi writes a loop for each operation. One that computes a vector for one other loop is written there, and numbers where they are used.
     """
     return _VECTORS.sub(_fused, text)
 
