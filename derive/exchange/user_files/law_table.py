@@ -56,12 +56,6 @@ def _name(name: str) -> str:
     return name
 
 
-def _grade(letter: str) -> str:
-    if letter not in GRADES:
-        raise ValueError
-    return letter
-
-
 def _unit(text: str) -> str:
     parse_unit(text)
     return text
@@ -168,7 +162,7 @@ class LawTable(_Table):
     name: Name
     title: Text = ""
     source: Source
-    grade: Annotated[str, AfterValidator(_grade), Field(description=f"one of {', '.join(GRADES)}")] = "C"
+    grade: Annotated[str, Field(pattern=f"^[{''.join(GRADES)}]$", description=f"one of {', '.join(GRADES)}")] = "C"
     verdict: Literal["consistent", "inconsistent", "outside_si"] = "consistent"
     fitted_in: Text = ""
     repair: Text = ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
@@ -14,15 +14,13 @@ from matplotlib.figure import Figure
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.run_warnings import unchecked
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.output.drawings import insets
 from hertzwerk.runtime.output.drawings.drawing import Drawing
 from hertzwerk.runtime.output.drawings.places import Places
 from hertzwerk.runtime.output.plots.plot_style import GREY, STYLE, VERMILLION, plain
 from hertzwerk.runtime.output.plots.title import differences, differences_of, title_height, title_of, write_title
 from hertzwerk.runtime.system.arrays import Array
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 PANEL = (6.6, 4.7)  # largest size of the mechanism, inches
 DPI = 160

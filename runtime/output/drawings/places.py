@@ -4,21 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.derive.common.grouping import grouped
+from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.run.continuation import parameters_of, with_steps
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
-    from hertzwerk.runtime.engine.solution.solution import EngineSolution
-
 
 GROUND = "ground"
 SOLIDS = ("solid_", "hole_")

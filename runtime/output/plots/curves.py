@@ -3,23 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from hertzwerk.runtime.engine.run.continuation import parameters_of, with_steps
 from hertzwerk.runtime.engine.solution.history import History, acceleration_of
+from hertzwerk.runtime.engine.solution.impacts import Impact
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.engine.start.ideal_mechanism import IdealMotion, has_clearance, ideal_motion, unknown_because
 from hertzwerk.runtime.output.plots.between_steps import BetweenSteps
 from hertzwerk.runtime.output.plots.picture_samples import RESOLVED, Rows, between, dense, end_of, has_steps
 from hertzwerk.runtime.output.plots.unit_prefixes import Scale, scale_of
 from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.solution.impacts import Impact
-    from hertzwerk.runtime.engine.solution.solution import EngineSolution
-
 
 IMPACT_SAMPLES = 400
 KNOTS = (

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.studies.sweeps.parameter_sweep import sweep
 from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep
 from hertzwerk.runtime.system.interrupt import raise_interrupts
 from hertzwerk.runtime.system.lazy import cached_property
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 
 class SweepStoppedError(Exception):
