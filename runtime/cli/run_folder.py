@@ -106,10 +106,10 @@ def write_study(
             (folder / file).write_text(text, encoding="utf-8")
         if draw is None:
             return list(texts)
-        from hertzwerk.runtime.output.plots.save_figure import save_png
+        from hertzwerk.runtime.output.plots.save_figure import png_of
 
         picture = f"{Path(next(iter(texts))).stem}.png"
-        failures = failures_of(picture, lambda: save_png(draw(), folder / picture))
+        failures = failures_of(picture, lambda: (folder / picture).write_bytes(png_of(draw())))
         missing.extend(failures)
         return [*texts, *([] if failures else [picture])]
 
@@ -217,9 +217,9 @@ class _Extras:
 
         def mechanism(at: Path) -> None:
             from hertzwerk.runtime.output.drawings import picture
-            from hertzwerk.runtime.output.plots.save_figure import save_png
+            from hertzwerk.runtime.output.plots.save_figure import png_of
 
-            save_png(picture.of_run(drawn()), at / "mechanism.png")
+            (at / "mechanism.png").write_bytes(png_of(picture.of_run(drawn())))
 
         @cache
         def pages() -> Mapping[str, Callable[[Path], None]]:

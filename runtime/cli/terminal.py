@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import io
 import shutil
 import sys
 import time
@@ -117,10 +116,9 @@ def draw_into(out: Path | None, picture: Callable[[], Figure], *, announced: boo
     if out is None:
         return
     from hertzwerk.runtime.engine.solution.solution import write
+    from hertzwerk.runtime.output.plots.save_figure import png_of
 
-    content = io.BytesIO()
-    picture().savefig(content, format="png", dpi="figure")
-    path = write(out, content.getvalue(), overwrite=False)
+    path = write(out, png_of(picture(), dpi="figure"), overwrite=False)
     if announced:
         line("written", str(path))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -60,17 +59,17 @@ def draw(
     path = out or Path(f"{Path(names[0]).stem}.png" if len(names) == 1 else "mechanisms.png")
     faults += new_file_faults("--out", path, "name another, or add --overwrite", overwrite=overwrite)
     refuse("draw", faults)
-    content = io.BytesIO()
     with Progress("draw") as progress:
         from hertzwerk.runtime.engine.solution.solution import write
         from hertzwerk.runtime.output.drawings import picture
         from hertzwerk.runtime.output.drawings.gallery import sheet
+        from hertzwerk.runtime.output.plots.save_figure import png_of
 
         views = [_places(name, values, duration, start) for name in progress.over(names)]
         progress.stage("the picture")
         page = picture.figure(*views[0]) if len(names) == 1 else sheet([places for places, *_ in views])
-        page.savefig(content, format="png", dpi="figure", metadata={"Description": " ".join(map(str, names))})
-    line("written", str(write(path, content.getvalue(), overwrite=overwrite)))
+        content = png_of(page, dpi="figure", metadata={"Description": " ".join(map(str, names))})
+    line("written", str(write(path, content, overwrite=overwrite)))
     return GOOD
 
 

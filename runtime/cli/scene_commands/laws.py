@@ -130,9 +130,10 @@ def _draw(sheets: Sequence[Sheet], picture: Path) -> None:
     faults += new_file_faults("--picture", picture)
     refuse("laws", faults)
     from hertzwerk.runtime.engine.solution.solution import write
-    from hertzwerk.runtime.output.plots.plot_band import png
+    from hertzwerk.runtime.output.plots.plot_band import figure
+    from hertzwerk.runtime.output.plots.save_figure import png_of
 
-    write(picture, png(sheets[0]), overwrite=False)
+    write(picture, png_of(figure(sheets[0])), overwrite=False)
 
 
 # -- one law -----------------------------------------------------------------------------------------------------------

@@ -271,13 +271,10 @@ def _whole(option: str, text: str | None, faults: list[Fault]) -> int | None:
 
 def _draw(result: Sweep, file: Path) -> None:
     """Write the picture of a sweep."""
-    import io
-
+    from hertzwerk.runtime.output.plots.save_figure import png_of
     from hertzwerk.runtime.system.atomic_files import write_atomically
 
-    content = io.BytesIO()
-    result.plot().savefig(content, format="png", dpi=160)
-    write_atomically(file, content.getvalue())
+    write_atomically(file, png_of(result.plot()))
 
 
 # -- as people and programs read it ------------------------------------------------------------------------------------

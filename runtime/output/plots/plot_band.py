@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from typing import TYPE_CHECKING
 
 import matplotlib as mpl
@@ -16,14 +15,6 @@ if TYPE_CHECKING:
 
 SHADE = "#dbe9f4"
 DASHES = ("-", "--", "-.", ":", (0, (6, 2, 1, 2, 1, 2)))  # two candidates may coincide
-
-
-def png(sheet: Sheet) -> bytes:
-    """Return the picture of a sheet that has a band, as a file's content."""
-    with mpl.rc_context(STYLE):
-        content = io.BytesIO()
-        figure(sheet).savefig(content, format="png")
-        return content.getvalue()
 
 
 def figure(sheet: Sheet) -> Figure:

@@ -25,7 +25,7 @@ from hertzwerk.runtime.output.plots.curves import Curves, impact_curves
 from hertzwerk.runtime.output.plots.oil_films import films
 from hertzwerk.runtime.output.plots.plot_panel import CONSTANT, LEGEND_ROOM, caption, empty_panel, legend, panel
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, STYLE, VERMILLION
-from hertzwerk.runtime.output.plots.save_figure import save_png
+from hertzwerk.runtime.output.plots.save_figure import png_of
 from hertzwerk.runtime.output.plots.unit_prefixes import Scale, scale_of
 from hertzwerk.runtime.output.plots.worn_contours import plot_wear, wears
 from hertzwerk.runtime.system.arrays import Array
@@ -96,7 +96,7 @@ def pages(run: EngineSolution) -> dict[str, Callable[[Path], None]]:
     figures |= {name: partial(plot_wear, run, name) for name in wears(run)}
 
     def save(name: str, path: Path) -> None:
-        save_png(figures[name](), path)
+        path.write_bytes(png_of(figures[name]()))
 
     return {name: partial(save, name) for name in figures}
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
@@ -17,13 +16,13 @@ if TYPE_CHECKING:
 
 def of_model(model: EngineModel, picture: Figure) -> Markup:
     """Return a model with the picture of its start."""
-    image = io.BytesIO()
-    picture.savefig(image, format="png", dpi=80)
+    from hertzwerk.runtime.output.plots.save_figure import png_of
+
     sizes = f"{model.nq} coordinates, {model.k} contact pair{'s' if model.k != 1 else ''}, {len(model.units)} states"
     parameters = [(name, f"{p.default:.6g}", p.unit, p.meaning) for name, p in model.parameters.items()]
     return joined([
         heading(model.name, model.module.SUMMARY, f" ({sizes}; every history: model.histories)", good=True),
-        embedded(image.getvalue(), f"The mechanism {model.name} at its start"),
+        embedded(png_of(picture, dpi=80), f"The mechanism {model.name} at its start"),
         titled("Effects", ("effect", "kind", "what it is"), model.module.EFFECTS),
         titled("Parameters", ("parameter", "value", "unit", "meaning"), parameters),
     ])  # fmt: skip
