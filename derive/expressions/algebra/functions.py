@@ -58,8 +58,11 @@ class Where(NoText):
 
 def slope(expression: Any, symbol: Any) -> Any:
     """Derivative by a symbol, of Max and Min by branches: SymPy's own has steps, which no rule emits."""
-    greater = expression.replace(sympy.Max, lambda *of: reduce(lambda a, b: Where(a > b, a, b), of))
-    return greater.replace(sympy.Min, lambda *of: reduce(lambda a, b: Where(a < b, a, b), of)).diff(symbol)
+    return (
+        expression.replace(sympy.Max, lambda *of: reduce(lambda a, b: Where(a > b, a, b), of))
+        .replace(sympy.Min, lambda *of: reduce(lambda a, b: Where(a < b, a, b), of))
+        .diff(symbol)
+    )
 
 
 def with_pieces(expression: Any) -> Any:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 
 RESOLVED = 1e-3  # of a curve's range: what a picture resolves
+FINER = 16.0  # times finer are chords within steps: of those that miss a curve by half a pixel the corners show
 EVEN = 2000  # samples equally spaced
 FEWEST, MOST = 500, 10_000  # rows to begin with, and at most
 PARTS = 40  # most between two of them
@@ -75,7 +76,7 @@ class _Steps:
         rows, level = self._rows()
         t = self._t[rows]
         yield t
-        parts = np.clip(np.ceil(np.sqrt(self._bent(rows) / level)), 1, PARTS)
+        parts = np.clip(np.ceil(np.sqrt(FINER * self._bent(rows) / level)), 1, PARTS)
         for count in np.unique(parts):
             here = np.flatnonzero(parts == count)
             yield (t[here][:, None] + np.outer(t[here + 1] - t[here], np.arange(1, count) / count)).ravel()

@@ -12,6 +12,7 @@ from hertzwerk.runtime.output.plots.picture_samples import between
 PATH = ("slider_pin.eccentricity_x", "slider_pin.eccentricity_y")
 SHOWN = (*PATH, "guide.travel", "guide.speed", "crank_pin.speed", "slider_pin.normal_force")
 EYE = 3e-3  # of a curve's range
+CORNER = 5e-4  # the same: what chords miss a smooth curve by whose corners do not show
 
 
 @pytest.fixture(scope="module")
@@ -25,19 +26,19 @@ def saved(crank, tmp_path_factory):
     return Solution.load(crank.save(tmp_path_factory.mktemp("saved") / "run.npz"))
 
 
-def bent(run: Solution, true: Solution) -> dict[str, float]:
+def bent(run: Solution, true: Solution, seen: float = EYE) -> dict[str, float]:
     """Curves whose largest distance from the motion, halfway between their samples, a reader sees; over their range."""
     curves = Curves.of(run)
     moved = true.at((curves.t[1:] + curves.t[:-1]) / 2)
     drawn = {name: (curves[name][1:] + curves[name][:-1]) / 2 for name in SHOWN}
     off = {name: float(np.max(np.abs(drawn[name] - moved[name])) / np.ptp(true[name])) for name in SHOWN}
-    return {name: distance for name, distance in off.items() if distance >= EYE}
+    return {name: distance for name, distance in off.items() if distance >= seen}
 
 
 def test_long_runs_have_no_kinks(crank):
     """A fixed number of samples was spread over any duration: of .3 s, flights were chords with kinks."""
     assert len(crank.t) > 15_000
-    assert bent(crank, crank) == {}
+    assert bent(crank, crank, CORNER) == {}
 
 
 def test_saved_runs_are_drawn_as_live_ones(crank, saved):
