@@ -78,6 +78,12 @@ def test_a_folder_is_described_in_at_most_120_lines(folder):
     assert len(TEXTS[f"{folder}/README.md"].splitlines()) <= 120
 
 
+def test_it_counts_the_stiffness_laws_of_today():
+    verdicts = [law.verdict for law in hertzwerk.derive.laws.LAWS.values() if law.kind == "stiffness"]
+    odd = sum(verdict != "consistent" for verdict in verdicts)
+    assert f"| {odd} of {len(verdicts)} stiffness laws have" in TEXTS["README.md"]
+
+
 def test_all_commands_are_listed():
     listed = re.findall(r"^\| `hertzwerk (\w+)", TEXTS["runtime/README.md"], re.MULTILINE)
     assert set(listed) == set(main.list_commands(None))

@@ -179,6 +179,7 @@ class Law:
         missing = [name for name in names[len(arguments) :] if name not in named]
         if len(arguments) > len(names) or unknown or missing:
             wrong = [f"missing {', '.join(missing)}"] if missing else []
+            wrong += ["no material has a yield_strength"] if materials and YIELD_STRENGTH in missing else []
             wrong += [f"not expected {', '.join(unknown)}"] if unknown else []
             wrong += [f"{len(arguments)} values for {len(names)}"] if len(arguments) > len(names) else []
             raise TypeError(f"law {self.name} takes ({', '.join(names)}): {'; '.join(wrong)}")

@@ -126,8 +126,7 @@ class WornContour(Worn):
     @cached_property
     def _axis(self) -> Vector:
         direction = self.touch.kin.direction(self.touch.second, self.touch.pair.axis)
-        axis: Vector = self.tape.vector(direction, f"{self.wear.name}_axis")
-        return axis
+        return self.tape.vector(direction, f"{self.wear.name}_axis")
 
     @cached_property
     def _length(self) -> Any:
@@ -211,8 +210,7 @@ class WornContour(Worn):
 
     def couple(self, force: Any) -> Vector:
         """Couple on the pin of a force along the gradient [N m]."""
-        couple: Vector = self.tape.vector(scale(-force * self._lever, self._axis), f"{self.wear.name}_couple")
-        return couple
+        return self.tape.vector(scale(-force * self._lever, self._axis), f"{self.wear.name}_couple")
 
     def _area(self, label: str) -> Any:
         """Area of a sector [m^2]."""

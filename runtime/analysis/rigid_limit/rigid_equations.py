@@ -195,5 +195,4 @@ class Equations:
         q = y[: self.model.nq]
         still = np.zeros(self.model.nu)
         (by, without) = (self.model.evaluate("coordinate_rates", t, q, u, self._c)[0] for u in (moved, still))
-        change: Array = by - without
-        return change
+        return by - without

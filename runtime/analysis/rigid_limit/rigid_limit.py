@@ -142,8 +142,7 @@ class RigidLimit(Mapping[str, Array]):
     def gaps(self, times: Array) -> Array:
         """Return the gaps [m] (n, k) of all pairs at times [s] (n,)."""
         states, distance = self.motion.at(times), distance_of(self.model)
-        gaps: Array = np.array([distance(t, y[: self.model.nq], self.c)[0] for t, y in zip(times, states, strict=True)])
-        return gaps
+        return np.array([distance(t, y[: self.model.nq], self.c)[0] for t, y in zip(times, states, strict=True)])
 
     @property
     def orders(self) -> list[float]:
@@ -158,8 +157,7 @@ class RigidLimit(Mapping[str, Array]):
             count = min(len(soft.apart), len(stiff.apart))
             ratio = np.log(np.abs(soft.apart[:count] / stiff.apart[:count])) / math.log(stiff.factor / soft.factor)
         moved = np.abs(soft.apart[:count]) > ROUNDING * self.t[-1]
-        orders: list[float] = np.where(moved, ratio, math.nan).tolist()
-        return orders
+        return np.where(moved, ratio, math.nan).tolist()
 
     @property
     def lines(self) -> list[str]:

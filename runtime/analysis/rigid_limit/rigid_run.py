@@ -76,8 +76,7 @@ class Motion:
         """Return the states (n, nq + nu) at times within the run, after an impact at the same instant."""
         ends = np.array([segment.t_max for segment in self.segments])
         places = np.minimum(np.searchsorted(ends, times, side="right"), len(ends) - 1)
-        states: Array = np.array([self.segments[k](t) for k, t in zip(places, times, strict=True)])
-        return states
+        return np.array([self.segments[k](t) for k, t in zip(places, times, strict=True)])
 
 
 @dataclass
@@ -424,5 +423,4 @@ class _Segment:
     t_max: float
 
     def __call__(self, t: float) -> Array:
-        state: Array = self.dense(t)
-        return state
+        return self.dense(t)

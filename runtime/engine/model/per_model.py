@@ -31,7 +31,6 @@ def per_model(function: Callable[[AnyModel, *Others], Result]) -> Callable[[AnyM
         known, key = model.known, (function, others)
         if key not in known:
             known[key] = function(model, *others)
-        result: Result = known[key]
-        return result
+        return known[key]
 
     return once

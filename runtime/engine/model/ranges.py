@@ -126,8 +126,7 @@ def hypercube(box: Array, count: int, seed: int) -> Array:
     from scipy.stats import qmc  # slow to import
 
     low, high = np.transpose(box)
-    places: Array = low + qmc.LatinHypercube(len(low), rng=seed).random(count) * (high - low)
-    return places
+    return low + qmc.LatinHypercube(len(low), rng=seed).random(count) * (high - low)
 
 
 def starts_in(ranges: Sequence[Range], values: Sequence[float], count: int, seed: int) -> Array:

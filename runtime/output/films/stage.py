@@ -100,8 +100,7 @@ def slip_of(places: Places, marks: Sequence[Landmark], at: Array, j: int) -> Arr
         within = places.rotations[j, body].T @ (at - places.origins[j, body])
         ends = [places.origins[k, body] + places.rotations[k, body] @ within for k in (before, after)]
         velocities.append((ends[1] - ends[0]) / max(places.t[after] - places.t[before], 1e-300))
-    slip: Array = velocities[0] - velocities[1]
-    return slip
+    return velocities[0] - velocities[1]
 
 
 Contact = tuple[Array, Array]

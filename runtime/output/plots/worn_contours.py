@@ -46,8 +46,7 @@ def contour(depths: Array, angles: Array) -> Array:
     count = len(depths)
     half = (angles[:, None] - 2 * np.pi * np.arange(count) / count) / 2
     shares = (np.sinc(count / (2 * np.pi) * half) / np.sinc(half / np.pi)) ** 4
-    between: Array = (shares / shares.sum(axis=1, keepdims=True)) @ depths
-    return between
+    return (shares / shares.sum(axis=1, keepdims=True)) @ depths
 
 
 def plot_wear(run: EngineSolution, wear: str) -> Figure:

@@ -5,7 +5,7 @@ import re
 import pytest
 import sympy as sp
 
-from hertzwerk.derive import Contact, InputError, Parameter, generate, laws, laws_from
+from hertzwerk.derive import Contact, InputError, Material, Parameter, generate, laws, laws_from
 from hertzwerk.derive.laws import power, power_damping
 from hertzwerk.derive.laws.law import d, v
 from hertzwerk.derive.laws.law_call import split_call
@@ -179,6 +179,10 @@ def test_friction_with_modes_and_memory_by_the_text_of_a_law():
     [
         (lambda: laws.lankarani_nikravesh(1, 2), r"lankarani_nikravesh takes \(e\): 2 values for 1$"),
         (lambda: laws.kelvin_voigt(K=1), r"kelvin_voigt takes \(e\): missing e; not expected K$"),
+        (
+            lambda: laws.thornton(*[Material(1, 0.3)] * 2),
+            r"missing sigma_y; no material has a yield_strength$",
+        ),
         (lambda: laws.power(1, 2, n=3), r"power takes \(K, n\): not expected n$"),
     ],
 )

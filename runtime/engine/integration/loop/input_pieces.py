@@ -36,5 +36,4 @@ class Pieces:
         if np.array_equal(before, state[self._pieces]) and state[self._h] > 0:
             state[self._h] = min(state[self._h], stop - state[self._t])
             return state
-        entered: np.ndarray = self._enter(state, self._controls)[0]
-        return entered
+        return self._enter(state, self._controls)[0]

@@ -107,5 +107,4 @@ class NearRows:
 
 def places(model: NearModel, lists: np.ndarray, pairs: np.ndarray) -> np.ndarray:
     """Return the places of pairs (n,) in lists (n, size)."""
-    at: np.ndarray = np.argmax(lists[:, : model.k] == pairs[:, None], axis=1)
-    return at
+    return np.argmax(lists[:, : model.k] == pairs[:, None], axis=1)

@@ -155,8 +155,7 @@ class ReducingCallers(AutomaticCallers):
 
         def apart(low: np.ndarray, high: np.ndarray) -> np.ndarray:
             gaps = lowest_gaps(model)(at["t"], low, *others, run["t_end"], high, *others)[0]
-            are_apart: np.ndarray = gaps > 0
-            return are_apart
+            return gaps > 0
 
         near = {*np.flatnonzero(~apart(q - room, q + room) | (at["mode"] != FLIGHT)).tolist()}
         for pairs in (tuple(sorted(near.union(self._pairs or ()))), tuple(sorted(near))):
