@@ -9,7 +9,7 @@ import sympy as sp
 from sympy.printing.latex import LatexPrinter
 from sympy.printing.str import StrPrinter
 
-from hertzwerk.derive.expressions.algebra.functions import with_pieces
+from hertzwerk.derive.expressions.algebra.functions import Where, with_pieces
 
 _EULER = sp.Symbol("e_Euler")
 
@@ -58,19 +58,28 @@ def _is_negative(term: Any) -> bool:
 
 
 def text_of(expression: Any) -> str:
-    """An expression in Python syntax, `where(condition, a, b)` for a branch."""
-    return str(_Text().doprint(tidy(expression)))
+    """An expression in Python syntax, `where(condition, a, b)` for a branch, `min(a, b)` for the lesser of two."""
+    return str(_Text().doprint(tidy(_with_least(expression))))
 
 
 def latex_of(expression: Any, letters: Mapping[Any, str] | None = None) -> str:
     """An expression in LaTeX; with the names `letters`, in the style of the equations of a scene."""
+    shown = _with_least(expression)
     if letters is not None:
         names = {_EULER: r"\mathrm{e}", **letters}
         printer = _Running({"symbol_names": names, "fold_frac_powers": True, "fold_func_brackets": True})
-        return str(printer.doprint(tidy(expression).xreplace({sp.E: _EULER})))
-    shown = with_pieces(tidy(expression))
+        return str(printer.doprint(tidy(shown).xreplace({sp.E: _EULER})))
+    shown = with_pieces(tidy(shown))
     names = {symbol: latex_name(symbol) for symbol in shown.free_symbols} | {_EULER: r"\mathrm{e}"}
     return str(_Latex({"symbol_names": names}).doprint(shown.xreplace({sp.E: _EULER})))
+
+
+def _with_least(expression: Any) -> Any:
+    """Write branches that take the lesser of two as Min: for texts, never to be differentiated."""
+    return sp.sympify(expression).replace(
+        lambda node: isinstance(node, Where) and node.args[0] == sp.StrictLessThan(*node.args[1:]),
+        lambda node: sp.Min(*node.args[1:], evaluate=False),
+    )
 
 
 def latex_name(symbol: Any) -> str:
