@@ -58,7 +58,7 @@ def _is_negative(term: Any) -> bool:
 
 
 def text_of(expression: Any) -> str:
-    """An expression in Python syntax, `where(condition, a, b)` for a branch, `min(a, b)` for the lesser of two."""
+    """An expression in Python syntax, `where(condition, a, b)` for a branch, or `min(a, b)`."""
     return str(_Text().doprint(tidy(_with_least(expression))))
 
 
