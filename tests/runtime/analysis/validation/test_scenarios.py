@@ -117,6 +117,7 @@ FAULTS = {
     "chain_on_table": ("link_mass = 5.05 g", "final.ball_0.normal_force", ""),
     "slider_crank_line": ("rod_length = 0.1212 m", "impacts.0.speed", "1 ms"),
     "spheres_in_box": ("density = 1111 kg/m^3", "final.floor_1.normal_force", ""),
+    "lubricated_slider_crank": ("viscosity = 5.05 mPa s", "impacts.0.t", "1 ms"),
     "worn_slider_crank": ("rod_length = 0.1212 m", "impacts.0.t", "1 ms"),
     "yielding_ball": ("yield_strength = 1010 MPa", "impacts.1.speed", ""),
     "two_spheres": ("mass = 0.09292 kg", "impacts.0.peak_penetration", ""),
