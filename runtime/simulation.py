@@ -354,7 +354,7 @@ class Solution(plain_solution.EngineSolution):
         from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities  # most runs import none of it
 
         if not names and self.engine.derivatives is not None:
-            return self.engine.derivatives
+            return self.engine.derivatives  # type: ignore[no-any-return]  # typed Any where the engine is below them
 
         history, bound, initial = self._from_its_start("sensitivities")
         return Sensitivities(history, bound, initial, names, compiled=self.settings.compiled)

@@ -125,7 +125,8 @@ def numeric(symbols: Sequence[Any], wanted: Any, named: Sequence[tuple[Any, Any]
     named  assignments that they use, in order
     """
     choose = {"Where": lambda condition, a, b: a if condition else b}
-    return sp.lambdify(symbols, wanted, [choose, "mpmath"], cse=lambda of: (named, of))
+    made: Callable[..., Any] = sp.lambdify(symbols, wanted, [choose, "mpmath"], cse=lambda of: (named, of))
+    return made
 
 
 def scale_factor(dimension: Dimension, factors: Sequence[Any], state: State) -> Any:

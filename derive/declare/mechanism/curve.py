@@ -75,7 +75,7 @@ class SolidCurve:
     def drawn(self) -> Drawn:
         """Its points for a picture."""
         planar = self.planar
-        return Drawn(planar, *planar.parameters)  # SymPy is untyped
+        return Drawn(planar, *planar.parameters)  # type: ignore[no-any-return]  # SymPy is untyped
 
 
 @dataclass(frozen=True)
@@ -229,7 +229,10 @@ def _functions(curve: Curve) -> Callable[[float], tuple[float, ...]]:
             splines[node] = sp.Function(name)(node.args[1])
             names[name] = _spline(node.args[0], int(node.args[2]))
     values = {p: sp.Float(p.si, 17) for p in parameters_of(whole)}
-    return sp.lambdify(S, tuple(whole.xreplace(splines).xreplace(values)), [names, "math"])
+    made: Callable[[float], tuple[float, ...]] = sp.lambdify(
+        S, tuple(whole.xreplace(splines).xreplace(values)), [names, "math"]
+    )
+    return made
 
 
 def _spline(table: Table, order: int) -> Callable[[float], float]:

@@ -125,4 +125,4 @@ class Profile(SolidCurve):
     def drawn(self) -> Drawn:
         """Each flank, and its mirror image."""
         root = sp.sympify(self.teeth.module) * (self.teeth.teeth / sp.Integer(2) - DEDENDUM)
-        return DrawnTeeth(self.planar, root, *self.planar.parameters)  # SymPy is untyped
+        return DrawnTeeth(self.planar, root, *self.planar.parameters)  # type: ignore[no-any-return]  # SymPy is untyped

@@ -303,7 +303,7 @@ class Kinematics:
 
     def _turned(self, link: Link) -> Matrix:
         if link.kind == "given":
-            return self.by_expressions.rotation(link)
+            return self.by_expressions.rotation(link)  # type: ignore[no-any-return]
         return self.rotation_of(link.orientation, link.name)
 
     def _arm(self, link: Link) -> Vector:
@@ -327,7 +327,7 @@ class Kinematics:
         if link.parent is None:
             return ZERO
         if link.kind == "given":
-            return self.by_expressions.origin(link)
+            return self.by_expressions.origin(link)  # type: ignore[no-any-return]
         return self.tape.vector(add(self.origin_of(link.parent), self._arm(link)), link.name)
 
     def _motion(self, link: Link) -> Motion:
@@ -335,7 +335,7 @@ class Kinematics:
         if link.parent is None:
             return Motion(IDENTITY, ZERO, ZERO, ZERO, ZERO, ZERO)
         if link.kind == "given":
-            return self.by_expressions.motion(link)
+            return self.by_expressions.motion(link)  # type: ignore[no-any-return]
         before = self.motion_of(link.parent)
         accelerations = before.angular_acceleration, before.acceleration
         spin, relative, alpha, acceleration = self._moved(link, *accelerations, [row.acceleration for row in link.rows])
@@ -363,7 +363,7 @@ class Kinematics:
         if link.parent is None:
             return ZERO, ZERO
         if link.kind == "given":
-            return self.by_expressions.bias(link)
+            return self.by_expressions.bias(link)  # type: ignore[no-any-return]
         seconds = [sp.S.Zero if row.free else row.acceleration for row in link.rows]
         _, _, alpha, bias = self._moved(link, *self.bias_of(link.parent), seconds)
         tape, name = self.tape, link.name
@@ -495,7 +495,7 @@ class Kinematics:
     def of_force(self, link: Link, force: Vector, position: Vector) -> list[Any]:
         """Generalised forces in each row of a link, of a force at `position` on the link or its subtree."""
         if link.kind == "given":
-            return self.by_expressions.of_force(link, force, position)
+            return self.by_expressions.of_force(link, force, position)  # type: ignore[no-any-return]
         if link.kind == "slide":
             return [dot(force, self.direction_of(link))]
         arm = sub(position, self.origin_of(link))
@@ -517,7 +517,7 @@ class Kinematics:
     def partial_turns(self, link: Link) -> list[Vector]:
         """Partial angular velocities of a link and its subtree, by each speed of the link [1]."""
         if link.kind == "given":
-            return self.by_expressions.partial_turns(link)
+            return self.by_expressions.partial_turns(link)  # type: ignore[no-any-return]
         if link.kind == "slide":
             return [ZERO]
         if link.kind == "bend":

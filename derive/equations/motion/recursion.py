@@ -54,7 +54,7 @@ def per_link(method: Callable[[Recursion, Link], Result]) -> Callable[[Recursion
         known = self.known.setdefault(method.__name__, {})
         if link not in known:
             known[link] = method(self, link)
-        return known[link]
+        return known[link]  # type: ignore[no-any-return]
 
     return look_up
 

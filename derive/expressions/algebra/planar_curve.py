@@ -23,7 +23,7 @@ class _OfData(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         self = super().__new__(cls)
         for name in cls.__slots__:
             setattr(self, name, data[name])
-        return self
+        return self  # type: ignore[no-any-return]
 
     def _hashable_content(self) -> tuple[Any, ...]:
         return tuple(getattr(self, name) for name in self.__slots__)

@@ -53,7 +53,7 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         self.units = _as_tuple(units)
         self.slopes = None if slopes is None else _as_tuple(slopes)
         self.periodic = periodic
-        return self
+        return self  # type: ignore[no-any-return]
 
     def _hashable_content(self) -> tuple[Any, ...]:
         return (self.name, repr(self.arguments), repr(self.values), self.units, repr(self.slopes), self.periodic)
@@ -66,7 +66,8 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
 
     def __call__(self, argument: Any) -> Spline:
         """The spline at an argument; raises TypeError for text."""
-        return Spline(self, argument, 0)
+        spline: Spline = Spline(self, argument, 0)
+        return spline
 
     def faults(self) -> Iterator[Fault]:
         """Yield the faults of the declaration."""

@@ -24,7 +24,7 @@ class Tagged(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
         self = sp.Symbol.__xnew__(cls, name, real=True)
         for tag, value in zip(cls.tags, values, strict=True):
             setattr(self, tag, value)
-        return self
+        return self  # type: ignore[no-any-return]
 
     @classmethod
     def must_be_text(cls, kind: str, name: object, **texts: object) -> None:

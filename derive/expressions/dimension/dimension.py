@@ -42,7 +42,7 @@ class Dimension:
         object.__setattr__(self, "_hash", hash((*self.exponents, self.every)))  # once, not in every look-up
 
     def __hash__(self) -> int:
-        return self._hash  # type: ignore[attr-defined]
+        return self._hash  # type: ignore[attr-defined, no-any-return]
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Dimension, (*self.exponents, self.every)  # hashes of names differ by process

@@ -6,17 +6,16 @@ dimension, as 0 has.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, Protocol
 
 import sympy as sp
 
-from hertzwerk.derive.expressions.dimension.dimension import ONE, ZERO, Dimension, canonical
+from hertzwerk.derive.expressions.dimension.dimension import ONE, ZERO, Dimension, DimensionError, canonical
+from hertzwerk.derive.expressions.dimension.expression import Expression
+from hertzwerk.derive.expressions.dimension.symbolic import Symbolic
 from hertzwerk.derive.expressions.dimension.tree import COMPARISONS, Node
-
-Walk = Any
-"""A `Walker`, which imports these rules."""
 
 
 @dataclass(frozen=True)
@@ -25,6 +24,34 @@ class Signature:
 
     arguments: Literal["alike", "pure", "any"]
     result: Literal["same", "one"]
+
+
+class Walk(Protocol):
+    """Protocol of the walker as rules and repairs need it."""
+
+    tree: Expression | Symbolic
+    table: Mapping[Any, Dimension]
+    constants: Collection[Any]
+
+    def __call__(self, node: Node) -> Dimension:
+        """Dimension of a node."""
+
+    def alike(self, node: Node, args: Sequence[Node]) -> Dimension:
+        """Common dimension of all arguments."""
+
+    def pure(self, node: Node, arg: Node, rule: str) -> DimensionError:
+        """Fault of an argument that should be dimensionless."""
+
+    def fault(
+        self,
+        node: Node,
+        found: Dimension | str,
+        expected: Dimension | str,
+        reason: str,
+        culprit: Node | None = None,
+        operands: Sequence[Node] = (),
+    ) -> DimensionError:
+        """A fault at a node."""
 
 
 def _product(walk: Walk, node: Node) -> Dimension:
@@ -38,7 +65,8 @@ def _power(walk: Walk, node: Node) -> Dimension:
     base, exponent = node.args
     dimension = walk(base)
     if exponent.op == "number":
-        return dimension ** canonical(exponent.number)
+        result: Dimension = dimension ** canonical(exponent.number)
+        return result
     if not walk(exponent).dimensionless:
         raise walk.pure(node, exponent, "an exponent is dimensionless")
     if dimension.dimensionless:
@@ -47,7 +75,8 @@ def _power(walk: Walk, node: Node) -> Dimension:
     strange = [str(name) for name in names if name not in walk.constants]
     value = None if strange else walk.tree.value(exponent, walk.constants)
     if value is not None and (value.is_Rational or (value.free_symbols and value.is_finite is not False)):
-        return dimension**value
+        powered: Dimension = dimension**value
+        return powered
     quoted = walk.tree.quote(exponent)
     cause = f"{', '.join(strange)}, no constant parameter" if strange else f"{quoted}, which is not rational"
     reason = f"in {walk.tree.quote(node)}, the unit of a power of {dimension} depends on {cause}"
@@ -69,7 +98,8 @@ def _spline(walk: Walk, node: Node) -> Dimension:
         quoted = walk.tree.quote(argument)
         reason = f"in {walk.tree.quote(node)}, {quoted} is {dimension}, and {table} is a table of arguments in {per}"
         raise walk.fault(node, dimension, per, reason, argument, (argument,))
-    return of / per**order
+    result: Dimension = of / per**order
+    return result
 
 
 def _derivative(walk: Walk, node: Node) -> Dimension:

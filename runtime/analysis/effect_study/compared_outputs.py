@@ -157,7 +157,8 @@ def _mean_peak_force(samples: Samples) -> float | None:
 
 
 def _largest(history: History, names: Sequence[str]) -> np.ndarray:
-    return np.max(np.abs([history[name] for name in names]), axis=0)
+    largest: np.ndarray = np.max(np.abs([history[name] for name in names]), axis=0)
+    return largest
 
 
 def _way(samples: Samples, journals: Sequence[Sequence[str]]) -> float:
@@ -168,7 +169,8 @@ def _way(samples: Samples, journals: Sequence[Sequence[str]]) -> float:
     def speeds(history: History) -> np.ndarray:
         rates = history.output_rates()
         columns = ([model.outputs.index(part) for part in parts] for parts in journals)
-        return np.sum([np.sqrt(np.sum(rates[:, of] ** 2, axis=1)) for of in columns], axis=0)
+        total: np.ndarray = np.sum([np.sqrt(np.sum(rates[:, of] ** 2, axis=1)) for of in columns], axis=0)
+        return total
 
     return fine.integral(speeds)
 

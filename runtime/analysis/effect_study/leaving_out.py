@@ -99,7 +99,8 @@ def _motion_of_joints(model: EngineModel) -> Any:
 
 def _least_squares(columns: Any, free: Sequence[int], wanted: np.ndarray) -> np.ndarray:
     """Return the changes of the free variables that come closest to the wanted ones."""
-    return np.linalg.lstsq(np.array(columns)[:, free], wanted, rcond=None)[0]
+    changes: np.ndarray = np.linalg.lstsq(np.array(columns)[:, free], wanted, rcond=None)[0]
+    return changes
 
 
 def study_effects(

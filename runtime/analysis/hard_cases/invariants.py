@@ -100,7 +100,8 @@ class Energies:
     @cached_property
     def total(self) -> Array:
         """Kinetic and potential energy, and that stored by contacts."""
-        return self.kinetic + self.potential + np.sum(np.where(self.mode == CONTACT, self.stored, 0), axis=1)
+        total: Array = self.kinetic + self.potential + np.sum(np.where(self.mode == CONTACT, self.stored, 0), axis=1)
+        return total
 
     @property
     def initial(self) -> float:
@@ -125,7 +126,8 @@ class Energies:
     def begins(self, j: int) -> NDArray[np.bool_]:
         """Return a mask of the rows at which a contact of pair j begins, or exists from the start."""
         inside = self.mode[:, j] == CONTACT
-        return inside & ~np.concatenate([[False], inside[:-1]])
+        first: NDArray[np.bool_] = inside & ~np.concatenate([[False], inside[:-1]])
+        return first
 
     @property
     def residual(self) -> float:

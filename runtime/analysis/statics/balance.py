@@ -138,7 +138,8 @@ def memory_of(model: EngineModel, mu: Array) -> Array:
 
 def bristles_of(model: EngineModel) -> Sequence[tuple[int, int]]:
     """Return the entry of the memory and the pair of every bristle or of its parts."""
-    return model.module.BRISTLES
+    bristles: Sequence[tuple[int, int]] = model.module.BRISTLES
+    return bristles
 
 
 @per_model
@@ -240,4 +241,5 @@ def kernel(matrix: Array) -> Array:
         return np.eye(matrix.shape[1])
     _, sizes, ways = np.linalg.svd(matrix)
     rank = int(np.sum(sizes > RANK * max(float(sizes[0]), 1e-300))) if len(sizes) else 0
-    return ways[rank:].T
+    basis: Array = ways[rank:].T
+    return basis

@@ -77,7 +77,8 @@ def measure(solution: EngineSolution, quantity: str) -> float | None:
         index, _, field = name.partition(".")
         if int(index) >= len(solution.impacts):
             return None
-        return getattr(solution.impacts[int(index)], field)
+        value: float | None = getattr(solution.impacts[int(index)], field)
+        return value
     history = solution[name]
     by_kind = {"final": history[-1], "max": np.max(history), "min": np.min(history), "largest": np.max(np.abs(history))}
     return float(by_kind[head])

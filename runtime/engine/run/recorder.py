@@ -244,7 +244,8 @@ class _Within:
 def _evenly(before: int, count: int) -> np.ndarray:
     """Return scores of further things, the largest those of every second, fourth, ... of all."""
     numbers = before + 1 + np.arange(count)
-    return numbers & -numbers  # the power of 2 that a number has as a factor
+    scores: np.ndarray = numbers & -numbers  # the power of 2 that a number has as a factor
+    return scores
 
 
 def _turns(block: History, begins: np.ndarray, pace: float) -> tuple[np.ndarray, np.ndarray]:
@@ -273,4 +274,5 @@ def _bends(block: History, begins: np.ndarray) -> np.ndarray:
     h = (block.t[begins + 1] - block.t[begins])[:, None]
     scale = block.controls[block.engine.layouts.controls["scale"]][:n]
     bent = y[begins + 1] - y[begins] - h / 2 * (dy[begins] + dy[begins + 1])
-    return np.max(np.abs(bent) / scale, axis=1, initial=0.0)
+    bends: np.ndarray = np.max(np.abs(bent) / scale, axis=1, initial=0.0)
+    return bends

@@ -114,7 +114,8 @@ def _floor_changes(history: History, directions: Directions) -> np.ndarray:
     parameters = list(history.model.parameters)
     if "approach_floor" not in parameters:
         return np.zeros(directions.count)
-    return directions.dp[parameters.index("approach_floor")]
+    changes: np.ndarray = directions.dp[parameters.index("approach_floor")]
+    return changes
 
 
 def _latch(

@@ -148,7 +148,8 @@ def _free(
     across = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), np.finfo(float).tiny)
     _, values, vectors = np.linalg.svd(across)
     rank = int(np.count_nonzero(values > DEPENDENT * values.max(initial=0.0)))
-    return basis @ vectors[rank:].T
+    free: np.ndarray = basis @ vectors[rank:].T
+    return free
 
 
 def _is_constrained(model: EngineModel) -> bool:
@@ -193,7 +194,8 @@ class _Renewal:
         mixed = r @ self._mixed
         size = np.linalg.norm(mixed)
         self._mixed, self._log = mixed / size, self._log + math.log(size)
-        return np.linalg.solve(r.T, np.column_stack([scaled.T * self._scales, last[:, ny:]]))
+        renewed: np.ndarray = np.linalg.solve(r.T, np.column_stack([scaled.T * self._scales, last[:, ny:]]))
+        return renewed
 
 
 def _of(t: np.ndarray, renewal: _Renewal, count: int, dimension: int, until: float, reason: str) -> Lyapunov:

@@ -85,18 +85,21 @@ class OutputDerivatives:
             return self._integral(f"{before}.normal_force", lambda h: h, np.ones_like)
         reducer = _REDUCERS.get(last)
         if reducer is not None and before in units_of(model, None):
-            return reducer(self, before)
+            reduced: np.ndarray = reducer(self, before)
+            return reduced
         raise NoDerivativeError(without_derivative(output) or OWN)
 
     def _at(self, time: float, history: str) -> np.ndarray:
-        return self.of.along(np.array([time]), history)[0]
+        derivatives: np.ndarray = self.of.along(np.array([time]), history)[0]
+        return derivatives
 
     def _largest_impact(self, quantity: str, pair: str) -> np.ndarray:
         some = [i for i, impact in enumerate(self.run.impacts) if pair in ("", impact.contact)]
         if not some:
             return np.zeros(len(self.of.names))
         top = max(some, key=lambda i: getattr(self.run.impacts[i], quantity))
-        return self.of.along_impacts(quantity)[top]
+        derivatives: np.ndarray = self.of.along_impacts(quantity)[top]
+        return derivatives
 
     # -- integrals ---------------------------------------------------------------------------------------------------
 
@@ -136,7 +139,8 @@ class OutputDerivatives:
 
         def limit(index: np.ndarray, begin: np.ndarray, by: np.ndarray) -> np.ndarray:
             near, far = (history.between(index, begin + part * by)[name] for part in (1, 2))
-            return 2 * near - far
+            extrapolated: np.ndarray = 2 * near - far
+            return extrapolated
 
         return limit(rows - 1, steps[rows - 1], -by[rows - 1]), limit(rows, 0 * steps[rows], by[rows])
 
@@ -151,7 +155,8 @@ class OutputDerivatives:
 
     def _mean(self, name: str) -> np.ndarray:
         self._within_horizon()
-        return self._integral(name, lambda h: h, np.ones_like) / self._time
+        derivatives: np.ndarray = self._integral(name, lambda h: h, np.ones_like) / self._time
+        return derivatives
 
     def _norm(self, name: str, order: int) -> np.ndarray:
         self._within_horizon()
@@ -159,7 +164,8 @@ class OutputDerivatives:
         if value == 0:
             raise NoDerivativeError("it is zero throughout, where a root has no derivative")
         by = self._integral(name, lambda h: (h / value) ** order, lambda h: order * (h / value) ** (order - 1) / value)
-        return value * by / (order * self._time)
+        derivatives: np.ndarray = value * by / (order * self._time)
+        return derivatives
 
     @property
     def _time(self) -> float:
@@ -187,7 +193,8 @@ class OutputDerivatives:
         return self.of.after_event(int(near[0]), name)
 
     def _peak_to_peak(self, name: str) -> np.ndarray:
-        return self._extreme(name, 1) - self._extreme(name, -1)
+        derivatives: np.ndarray = self._extreme(name, 1) - self._extreme(name, -1)
+        return derivatives
 
 
 _REDUCERS: dict[str, Callable[[OutputDerivatives, str], np.ndarray]] = {

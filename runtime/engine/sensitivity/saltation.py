@@ -91,7 +91,8 @@ class Jumps:
     @cached_property
     def determined(self) -> np.ndarray:
         """Whether guards determine the time of each event (j,), and it changes smoothly."""
-        return self.guards.any(axis=1) & ~self.graze & ~(self.guards & (self.speed == 0)).any(axis=1)
+        determined: np.ndarray = self.guards.any(axis=1) & ~self.graze & ~(self.guards & (self.speed == 0)).any(axis=1)
+        return determined
 
     @cached_property
     def change(self) -> np.ndarray:
@@ -105,12 +106,14 @@ class Jumps:
             return np.zeros((len(self.rows), self.change.shape[2]))
         first = np.arange(len(self.rows)), self.guards.argmax(axis=1)
         speed = np.where(self.determined, self.speed[first], np.inf)
-        return -self.change[first] / speed[:, None]
+        time: np.ndarray = -self.change[first] / speed[:, None]
+        return time
 
     @cached_property
     def then(self) -> np.ndarray:
         """Maps (j, size, n + P) to the changes of what is watched, at the events."""
-        return self.change + self.speed[:, :, None] * self.time[:, None]
+        changes: np.ndarray = self.change + self.speed[:, :, None] * self.time[:, None]
+        return changes
 
     def maps(self, floor: np.ndarray) -> np.ndarray:
         """Return the maps (j, n, n + P) to the changes after the events.
@@ -267,7 +270,8 @@ def _slipping(history: History, index: np.ndarray, before: np.ndarray, h: np.nda
     turned = slips[index] != slips[index + 1]
     own = turned & (np.abs(margin) <= np.abs(rate) * NEAR * h[:, None])
     first = turned & (np.cumsum(turned, axis=1) == 1)
-    return np.where(own.any(axis=1)[:, None], own, first)
+    slipping: np.ndarray = np.where(own.any(axis=1)[:, None], own, first)
+    return slipping
 
 
 def _rates_inside(history: History, rows: np.ndarray, by_gap: np.ndarray) -> np.ndarray:
@@ -285,7 +289,10 @@ def _rates_inside(history: History, rows: np.ndarray, by_gap: np.ndarray) -> np.
     )
     change, before = third - second, second - first
     curved = change - before
-    return third - np.where(np.abs(change) < np.abs(before), change**2 / np.where(curved == 0, 1, curved), 0)
+    rates: np.ndarray = third - np.where(
+        np.abs(change) < np.abs(before), change**2 / np.where(curved == 0, 1, curved), 0
+    )
+    return rates
 
 
 def _moved(rows: np.ndarray, times: np.ndarray, history: History) -> np.ndarray:
@@ -297,7 +304,8 @@ def _moved(rows: np.ndarray, times: np.ndarray, history: History) -> np.ndarray:
         moved[:, layout["y"]] += longest * rows[:, layout["dy"]]
     parts = (moved[:, layout[part]] for part in PARTS)
     pieces = [rows[:, layout["pieces"]]] if history.model.inputs else []
-    return _rates(history.model)(history.controls[: history.model.nc], *parts, *pieces)[0]
+    rates: np.ndarray = _rates(history.model)(history.controls[: history.model.nc], *parts, *pieces)[0]
+    return rates
 
 
 @per_model

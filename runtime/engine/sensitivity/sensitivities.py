@@ -113,7 +113,8 @@ def _difference(model: EngineModel, bound: BoundParameters, initial: Mapping[str
         return np.concatenate([q, u])
 
     whole, half = ((at(d) - at(-d)) / (2 * d) for d in (step, step / 2))
-    return (4 * half - whole) / 3
+    derivative: np.ndarray = (4 * half - whole) / 3
+    return derivative
 
 
 PEAKS = {"peak_force": ("force", 1, "normal_force"), "peak_penetration": ("gap", -1, "penetration")}
@@ -187,7 +188,8 @@ class Sensitivities:
 
     def after_event(self, row: int, name: str) -> np.ndarray:
         """Return the derivatives (P,) of a history just after the event before a row, whose time changes too."""
-        return self._just_after(name, np.array([row]))[0]
+        changes: np.ndarray = self._just_after(name, np.array([row]))[0]
+        return changes
 
     @cached_property
     def horizon(self) -> float:
@@ -238,7 +240,8 @@ class Sensitivities:
             rows = np.flatnonzero(touching & ~np.concatenate([[False], touching[:-1]]))
             onsets += [(int(row), pair) for row in rows]
         of = self._peaks if quantity in PEAKS else self._onset
-        return of(quantity, *np.array(sorted(onsets), dtype=int).reshape(-1, 2).T)
+        changes: np.ndarray = of(quantity, *np.array(sorted(onsets), dtype=int).reshape(-1, 2).T)
+        return changes
 
     # -- how it is found ---------------------------------------------------------------------------------------------
 
@@ -258,7 +261,8 @@ class Sensitivities:
             )
         rows = history.later(history.rows[index], h)
         at = tangent(Readout(name), history, rows, self._directions)
-        return at.along(after[:, :ny], after[:, ny:])[:, 0]
+        changes: np.ndarray = at.along(after[:, :ny], after[:, ny:])[:, 0]
+        return changes
 
     def _onset(self, quantity: str, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
         """Return the changes (n, P) of times or approach speeds of onsets before rows of the run."""

@@ -66,7 +66,8 @@ def columns_of(dc: np.ndarray) -> Columns:
 
 def changes_of(dc: np.ndarray) -> np.ndarray:
     """Return the changes (nd,) of constants, column after column, without those that are zero."""
-    return dc.T[dc.T != 0]
+    changes: np.ndarray = dc.T[dc.T != 0]
+    return changes
 
 
 @dataclass(frozen=True)
@@ -286,7 +287,8 @@ def _chain(link: Link) -> Any:
 def along(maps: np.ndarray, before: np.ndarray) -> np.ndarray:
     """Return the changes (..., P) that maps (..., n + P) make of those before them (..., n, P)."""
     n = before.shape[-2]
-    return maps[..., :n] @ before + maps[..., n:]
+    after: np.ndarray = maps[..., :n] @ before + maps[..., n:]
+    return after
 
 
 @per_model

@@ -46,11 +46,13 @@ class Tangent:
 
     def along(self, state: np.ndarray, memory: np.ndarray) -> np.ndarray:
         """Return the change (n, size, P) where y and m change by these (n, ny, P), (n, nm, P), at fixed time."""
-        return self.to_state @ state + self.to_memory @ memory + self.by_constants
+        change: np.ndarray = self.to_state @ state + self.to_memory @ memory + self.by_constants
+        return change
 
     def rate(self, slope: np.ndarray) -> np.ndarray:
         """Return the rate (n, size) of the value where y moves at dy/dt (n, ny)."""
-        return self.to_time + (self.to_state @ slope[..., None])[..., 0]
+        rate: np.ndarray = self.to_time + (self.to_state @ slope[..., None])[..., 0]
+        return rate
 
 
 @dataclass(frozen=True)

@@ -101,7 +101,8 @@ def _distances(least: float, most: float, head: float) -> np.ndarray:
     if first >= most or not np.isfinite(most):
         return np.zeros(0)
     count = int(np.ceil(np.log(most / first) / np.log(GROWTH)))
-    return most * (first / most) ** (np.arange(count, 0, -1) / count)
+    distances: np.ndarray = most * (first / most) ** (np.arange(count, 0, -1) / count)
+    return distances
 
 
 def _heads(history: History, events: np.ndarray) -> np.ndarray:
@@ -115,7 +116,8 @@ def _heads(history: History, events: np.ndarray) -> np.ndarray:
     changed = np.concatenate([mode[:1] == CONTACT, mode[1:] != mode[:-1]])[events]
     gap, rate = np.abs(rows.part("gap")), np.abs(rows.part("gap_rate"))
     wide = HEAD * bound
-    return np.where(changed & (gap < wide) & (rate > 0), wide / np.where(rate > 0, rate, 1), 0).max(axis=1)
+    heads: np.ndarray = np.where(changed & (gap < wide) & (rate > 0), wide / np.where(rate > 0, rate, 1), 0).max(axis=1)
+    return heads
 
 
 @per_model
@@ -157,7 +159,8 @@ def _collocated(history: History, rows: np.ndarray, places: np.ndarray, directio
             system[:, i, :, j, :] = (i == j) * np.eye(size) - A[i, j] * by_core[i][:, core]
     right = sources[:, :, core].swapaxes(0, 1).reshape(n, NODES * size, -1)
     slopes = np.linalg.solve(system.reshape(n, NODES * size, -1), right).reshape(n, NODES, size, -1)
-    return np.tensordot(B, sources + by_core @ np.tensordot(A, slopes, axes=(1, 1)), axes=1)
+    grown: np.ndarray = np.tensordot(B, sources + by_core @ np.tensordot(A, slopes, axes=(1, 1)), axes=1)
+    return grown
 
 
 def _by_powers(history: History, rows: np.ndarray, places: np.ndarray, directions: Directions) -> np.ndarray:
@@ -171,4 +174,5 @@ def _by_powers(history: History, rows: np.ndarray, places: np.ndarray, direction
     power = np.clip(np.log2(np.where(alike, whole / np.where(alike, half, 1), 1)), *POWERS)
     near, far = (np.abs(time - event) / length for time in (begin, end))
     low, high = (np.minimum(near, far)[:, None, None], np.maximum(near, far)[:, None, None])
-    return whole * length[:, None, None] * (high ** (1 + power) - low ** (1 + power)) / (1 + power)
+    grown: np.ndarray = whole * length[:, None, None] * (high ** (1 + power) - low ** (1 + power)) / (1 + power)
+    return grown

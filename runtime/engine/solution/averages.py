@@ -231,7 +231,8 @@ def _averages(
         return over_impacts(pair, lambda _: 1.0) / dt
 
     def summed(part: str, column: int) -> np.ndarray:
-        return getattr(sums(), part)[:, column]
+        series: np.ndarray = getattr(sums(), part)[:, column]
+        return series
 
     for j, pair in enumerate(model.pairs):
         hits = partial(over_impacts, pair, lambda _: 1.0)

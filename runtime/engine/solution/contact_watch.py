@@ -382,7 +382,8 @@ def _beside(pieces: Sequence[Piece], run: np.ndarray, places: np.ndarray, onsets
 
 def _at_once(one: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Return whether times [s] are the same but for rounding."""
-    return np.abs(one - other) <= AT_ONCE * np.abs(other)
+    same: np.ndarray = np.abs(one - other) <= AT_ONCE * np.abs(other)
+    return same
 
 
 def _last_change(block: History) -> np.ndarray:

@@ -65,9 +65,11 @@ def error(
     n = model.nq + model.nu
     apart = (y[..., :n] - reference[..., :n]) / scales.state[:n]
     if dy is None or reference_dy is None:
-        return np.max(np.abs(apart), axis=-1, initial=0.0)
+        largest: np.ndarray = np.max(np.abs(apart), axis=-1, initial=0.0)
+        return largest
     first, second = (distance(apart, part[..., :n] / scales.state[:n], scales.pace)[0] for part in (dy, reference_dy))
-    return np.minimum(first, second)
+    least: np.ndarray = np.minimum(first, second)
+    return least
 
 
 def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> tuple[np.ndarray, np.ndarray]:
@@ -114,7 +116,8 @@ def rounding(model: EngineModel, scales: Scales, y: np.ndarray) -> float:
 
 def _largest(n: int, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
     """Return the largest scaled difference of the first n entries."""
-    return np.max(np.abs(y[..., :n] - reference[..., :n]) / scales.state[:n], axis=-1, initial=0.0)
+    largest: np.ndarray = np.max(np.abs(y[..., :n] - reference[..., :n]) / scales.state[:n], axis=-1, initial=0.0)
+    return largest
 
 
 def of_parameters(model: EngineModel, bound: BoundParameters) -> Scales:
@@ -178,4 +181,5 @@ def _completed(stated: Scales, units: list[str], sizes: dict[str, float]) -> Sca
 
 
 def _sound(values: np.ndarray) -> np.ndarray:
-    return np.isfinite(values) & (values > 0)
+    sound: np.ndarray = np.isfinite(values) & (values > 0)
+    return sound

@@ -111,12 +111,14 @@ class History(Histories):
     @property
     def t(self) -> np.ndarray:
         """Times [s], shape (rows,)."""
-        return self["t"] if self.integrator is None else self.part("t")[:, 0]
+        times: np.ndarray = self["t"] if self.integrator is None else self.part("t")[:, 0]
+        return times
 
     def __getitem__(self, name: str | tuple[str, str]) -> np.ndarray:
         if isinstance(name, tuple) and list(map(type, name)) == [str, str]:
             values = self[name[0]]
-            return values / si_of_all(f"{name[0]} in {name[1]}", self.units[name[0]], (1.0, name[1]))
+            converted: np.ndarray = values / si_of_all(f"{name[0]} in {name[1]}", self.units[name[0]], (1.0, name[1]))
+            return converted
         known = self.known(name)
         if known not in self._values:
             self._values |= self._evaluate(known)
@@ -134,7 +136,8 @@ class History(Histories):
         """Columns of a part of the rows, shape (rows, size); of pairs those of all."""
         if self.near is not None:
             return self.near.part(name)
-        return self.rows[:, self.columns(name)]
+        part: np.ndarray = self.rows[:, self.columns(name)]
+        return part
 
     @cached_property
     def near(self) -> NearRows | None:
@@ -148,19 +151,22 @@ class History(Histories):
         """Return the column of a pair in a part that has one for each, shape (rows,)."""
         if self.near is not None:
             return self.near.column(name, pair)
-        return self.rows[:, self.columns(name).start + pair]
+        column: np.ndarray = self.rows[:, self.columns(name).start + pair]
+        return column
 
     def memory(self, row: int) -> np.ndarray:
         """Return a row of memory, shape (rows,)."""
         if self.near is not None:
             return self.near.memory(row)
-        return self.rows[:, self.columns("y").start + self.model.nq + self.model.nu + row]
+        column: np.ndarray = self.rows[:, self.columns("y").start + self.model.nq + self.model.nu + row]
+        return column
 
     def latch(self, row: int, pair: int) -> np.ndarray:
         """Return a row of what is latched, that is of a pair, shape (rows,)."""
         if self.near is not None:
             return self.near.latch(row, pair)
-        return self.rows[:, self.columns("m").start + row]
+        column: np.ndarray = self.rows[:, self.columns("m").start + row]
+        return column
 
     def places(self, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
         """Return the places of pairs (n,) in the parts of these rows (n, ns) of the engine."""
@@ -172,7 +178,8 @@ class History(Histories):
         """Return the pairs that are not in flight at some row."""
         if self.near is not None:
             return self.near.busy()
-        return np.flatnonzero(np.any(self.part("mode") != FLIGHT, axis=0)).tolist()
+        busy: list[int] = np.flatnonzero(np.any(self.part("mode") != FLIGHT, axis=0)).tolist()
+        return busy
 
     def columns(self, name: str) -> slice:
         """Return the columns of a part in a row."""
@@ -264,7 +271,8 @@ class History(Histories):
         if not eccentricity:
             return event
         squared = sum(part * part for part in eccentricity)
-        return event + np.sqrt(event * event + squared) - np.sqrt(squared)
+        distance: np.ndarray = event + np.sqrt(event * event + squared) - np.sqrt(squared)
+        return distance
 
     def map(self, function: str, arguments: str) -> list[np.ndarray]:
         """Evaluate a model's function over all rows, its last argument c constant.
@@ -294,11 +302,13 @@ class History(Histories):
         """Return the time derivatives of the outputs, shape (rows, outputs)."""
         model, moving = self.model, slice(0, self.model.nq + self.model.nu)
         tables = (self.part("t"), self.part("y")[:, moving], self.part("dy")[:, moving])
-        return _output_rates(model)(self.controls[: model.nc], *tables, *self.pieces)[0]
+        rates: np.ndarray = _output_rates(model)(self.controls[: model.nc], *tables, *self.pieces)[0]
+        return rates
 
     def touches(self, pair: int) -> np.ndarray:
         """Return whether the surfaces of a pair touch, shape (rows,)."""
-        return self.of_pair("mode", pair) == CONTACT
+        touching: np.ndarray = self.of_pair("mode", pair) == CONTACT
+        return touching
 
     def held(self) -> np.ndarray:
         """Return the forces that hold the constraints, shape (rows, nl)."""
@@ -316,7 +326,8 @@ class History(Histories):
     @property
     def _holding(self) -> list[np.ndarray]:
         parts = (self.part(part) for part in ("t", "y", "mode", "m"))
-        return _constraint_forces(self.model)(self.controls[: self.model.nc], *parts, *self.pieces)
+        forces: list[np.ndarray] = _constraint_forces(self.model)(self.controls[: self.model.nc], *parts, *self.pieces)
+        return forces
 
     def at(self, times: np.ndarray, *, compared: bool = False) -> History:
         """Return histories at other times [s] within the run; at an event, the state just after it.

@@ -144,7 +144,8 @@ def _with_closing_change(
 
 def moved_by_loops(model: EngineModel, bound: BoundParameters, q: Array) -> Array:
     """Return whether each coordinate (nq,) enters a constraint at a position."""
-    return np.any(_Loops(model, bound).at(q).by_q != 0, axis=0)
+    moved: Array = np.any(_Loops(model, bound).at(q).by_q != 0, axis=0)
+    return moved
 
 
 def undetermined(model: EngineModel, bound: BoundParameters, q: Array) -> tuple[str, ...]:
@@ -216,7 +217,8 @@ def _implied(loops: _Loops, q: Array, rank: float = RANK) -> Array:
     count = int(np.sum(values > rank * values[0]))
     if count == len(scaled):  # as nearly always; vectors take ten times as long
         return np.zeros((0, count))
-    return np.linalg.svd(scaled)[0][:, count:].T
+    ways: Array = np.linalg.svd(scaled)[0][:, count:].T
+    return ways
 
 
 class At(NamedTuple):

@@ -49,7 +49,8 @@ class Intrusion:
     @property
     def allowed(self) -> float:
         """Return about the depth [m] that could be caused."""
-        return self.depth * (LIMIT * self.scene / self.speed) ** (2 / STEEPEST)
+        allowed: float = self.depth * (LIMIT * self.scene / self.speed) ** (2 / STEEPEST)
+        return allowed
 
 
 def intrusions(model: EngineModel, bound: BoundParameters, q: np.ndarray, u: np.ndarray) -> tuple[Intrusion, ...]:

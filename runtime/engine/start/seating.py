@@ -99,7 +99,8 @@ def closed_forces(model: EngineModel, bound: BoundParameters, q: Array, u: Array
 
     def second(forces: Array) -> Array:
         a = model.function("accelerations")(0.0, *at, forces, bound.c)[0]
-        return np.array(_second_rates(model)(0.0, *at, a, bound.c)).ravel()
+        rates: Array = np.array(_second_rates(model)(0.0, *at, a, bound.c)).ravel()
+        return rates
 
     own = second(applied.ravel())
     columns = []

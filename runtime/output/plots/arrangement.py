@@ -72,7 +72,8 @@ class Arrangement(LayoutEngine):
 
 def _under(axis: Any, distance: float) -> Transform:
     """Return the coordinates of a panel, from a distance [inch] below it."""
-    return axis.transAxes + ScaledTranslation(0, -distance, axis.figure.dpi_scale_trans)
+    transform: Transform = axis.transAxes + ScaledTranslation(0, -distance, axis.figure.dpi_scale_trans)
+    return transform
 
 
 def _above(axis: Any) -> float:

@@ -40,17 +40,22 @@ class BetweenSteps:
         if pair in model.pairs:
             mode = history[f"{pair}.mode"][self._row]
             if part == "normal_force":
-                return np.where(mode == CONTACT, np.maximum(self._smooth(name), 0), 0)
+                force: np.ndarray = np.where(mode == CONTACT, np.maximum(self._smooth(name), 0), 0)
+                return force
             if part == "sliding_velocity":
-                return np.where(mode == CONTACT, self._smooth(name), 0)
+                velocity: np.ndarray = np.where(mode == CONTACT, self._smooth(name), 0)
+                return velocity
             if part == "penetration":
-                return np.where(mode != FLIGHT, np.maximum(-self[f"{pair}.gap"], 0), 0)
+                depth: np.ndarray = np.where(mode != FLIGHT, np.maximum(-self[f"{pair}.gap"], 0), 0)
+                return depth
             inside = [model.outputs[i] for i in model.journals.get(pair, ())]
             if part == "gap" and inside:  # the clearance, which changes slowly or never, less the eccentricity
                 clearance = history[name] + np.sqrt(sum(history[each] ** 2 for each in inside))
-                return self._monotone(clearance) - np.sqrt(sum(self[each] ** 2 for each in inside))
+                gap: np.ndarray = self._monotone(clearance) - np.sqrt(sum(self[each] ** 2 for each in inside))
+                return gap
         if part == "mode" or name in (*model.latches, *(slip for slip, *_ in model.slips)):
-            return history[name][self._row]
+            held: np.ndarray = history[name][self._row]
+            return held
         return self._smooth(name)
 
     def _smooth(self, name: str) -> np.ndarray:
@@ -60,7 +65,10 @@ class BetweenSteps:
             if name == acceleration_of(speed):  # the slope of the speed's cubic
                 (u0, u1), (a0, a1) = self._ends(history[speed]), self._ends(history[name])
                 mean = np.divide(u1 - u0, h, out=a0.copy(), where=h > 0)
-                return a0 + s * (2 * (mean - a0) + np.where(self._changes, 0, (3 * s - 2) * (a0 + a1 - 2 * mean)))
+                slope: np.ndarray = a0 + s * (
+                    2 * (mean - a0) + np.where(self._changes, 0, (3 * s - 2) * (a0 + a1 - 2 * mean))
+                )
+                return slope
         values, rates = history[name], history.rates.get(name)
         if rates is None:
             return self._monotone(values)
@@ -77,7 +85,8 @@ class BetweenSteps:
         a0 -= 6 * (x1 - x0) - 4 * r0 - 2 * r1  # second rates of the cubic
         a1 -= 2 * r0 + 4 * r1 - 6 * (x1 - x0)
         more = 0.5 * (s * (1 - s)) ** 2 * ((1 - s) * a0 + s * a1)
-        return cubic + np.where(self._changes, 0, more)
+        quintic: np.ndarray = cubic + np.where(self._changes, 0, more)
+        return quintic
 
     def _monotone(self, values: np.ndarray) -> np.ndarray:
         """Interpolate values without rates by cubics that add no extremes."""
@@ -86,8 +95,10 @@ class BetweenSteps:
         t, last = np.unique(self._history.t[::-1], return_index=True)  # of two rows at an event the later
         values = values[len(values) - 1 - last]
         if len(t) < 2 or not np.all(np.isfinite(values)):
-            return np.interp(self.t, t, values)
-        return PchipInterpolator(t, values)(self.t)
+            straight: np.ndarray = np.interp(self.t, t, values)
+            return straight
+        interpolated: np.ndarray = PchipInterpolator(t, values)(self.t)
+        return interpolated
 
     def _ends(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return values[self._row], values[self._next]

@@ -98,7 +98,7 @@ class FilteredRun:
     def _spline(self) -> Callable[[Array], Array]:
         from scipy.interpolate import CubicSpline  # slow to import
 
-        return CubicSpline(self.t, self.values)
+        return CubicSpline(self.t, self.values)  # type: ignore[no-any-return]
 
     def _means(self, edges: Array) -> Array:
         """Return the means over cells between edges (m + 1,), shape (m, names)."""

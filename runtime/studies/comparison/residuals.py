@@ -92,7 +92,8 @@ def autocorrelations(residual: Array) -> Array:
         return np.zeros(0)
     correlations = products[1:] / products[0]
     gone = np.flatnonzero(np.abs(correlations) < 2 / math.sqrt(n))
-    return correlations[: gone[0] if len(gone) else len(correlations)]
+    leading: Array = correlations[: gone[0] if len(gone) else len(correlations)]
+    return leading
 
 
 def _ratio(independent: float, chance: float) -> float:

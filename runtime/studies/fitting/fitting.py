@@ -167,7 +167,8 @@ def searched(request: FitRequest, progress: Callable[[float], object] | None = N
 def stated_noise(forward: Forward) -> Array:
     """Return the stated noise of every datum (n,), nan where none is stated."""
     sizes = [forward.observed[i].channels[k].noise for i, k in forward.columns]
-    return np.array([math.nan if size is None else size for size in sizes])[forward.column]
+    noise: Array = np.array([math.nan if size is None else size for size in sizes])[forward.column]
+    return noise
 
 
 def _refuse_idle(search: Search, request: FitRequest) -> None:

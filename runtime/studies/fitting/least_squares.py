@@ -132,7 +132,8 @@ class Search:
 
     def jacobian(self, x: Array, used: NDArray[np.bool_], sigma: Array) -> Array:
         """Return the derivatives of the residuals (used, x)."""
-        return -(self.forward.slopes(x) / sigma[:, None])[used]
+        jacobian: Array = -(self.forward.slopes(x) / sigma[:, None])[used]
+        return jacobian
 
     def least(
         self, x: Array, used: NDArray[np.bool_], sigma: Array, *, fixed: int | None = None, within: float = CONVERGED

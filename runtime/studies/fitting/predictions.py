@@ -95,7 +95,8 @@ class Forward:
     def gains(self, x: Array) -> Array:
         """Return the gain of every datum (n,)."""
         outer = np.array([free.outer(place) for free, place in zip(self.searched, x, strict=True)] + [1.0])
-        return outer[self._gain]
+        gains: Array = outer[self._gain]
+        return gains
 
     def _made(self, x: Array, tolerance: float) -> Point:
         runs, predicted, times = [], [], []

@@ -242,7 +242,8 @@ class _Problem:
         rows = [
             formula.gradient(numbers) @ [of.get(name, still) for name in formula.names] for formula in self.formulas
         ]
-        return np.array(rows) * self.slopes(x)
+        gradient: np.ndarray = np.array(rows) * self.slopes(x)
+        return gradient
 
     @cached_property
     def box(self) -> np.ndarray:
@@ -321,7 +322,8 @@ class _Search:
         step = STEP * np.ptp(self.problem.box, axis=1)
         steps = np.where(x + step <= self.problem.box[:, 1], step, -step)
         moved = [self._run(x + by)[1] for by in np.diag(steps)]
-        return (np.array(moved) - value).T / steps
+        gradient: np.ndarray = (np.array(moved) - value).T / steps
+        return gradient
 
     def checked(self) -> float:
         """Return the relative difference of the objective's derivative from a difference of runs, along it."""

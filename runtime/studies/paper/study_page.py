@@ -209,7 +209,8 @@ def study_of(target: str) -> Study:
     from hertzwerk.runtime.engine.model.build import defined_by, is_file
 
     if target in NAMES:
-        return import_module(f"hertzwerk.runtime.studies.paper.study_{target}").STUDY
+        study: Study = import_module(f"hertzwerk.runtime.studies.paper.study_{target}").STUDY
+        return study
     if not is_file(target):
         raise InputError("study", [unknown("study", target, NAMES, "or a Python file (its name ends in .py)")])
     own = defined_by(Path(target)).get("study")

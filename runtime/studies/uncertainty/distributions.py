@@ -289,7 +289,8 @@ def correlated_parts(points: Array, correlation: Array) -> Array:
 
     if np.array_equal(correlation, np.eye(len(points))):
         return points
-    return ndtr(np.linalg.cholesky(correlation) @ ndtri(points))
+    parts: Array = ndtr(np.linalg.cholesky(correlation) @ ndtri(points))
+    return parts
 
 
 def covariance(drawn: Sequence[Any], correlation: Array) -> Array:

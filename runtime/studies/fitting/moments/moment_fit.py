@@ -153,7 +153,8 @@ class MomentFitRequest:
     def correlation(self) -> Array:
         """Correlation (m, m) of the measured values, of stated ones none."""
         deviations = np.array([moment.deviation for moment in self.moments])
-        return self.covariance(np.eye(len(deviations))) / np.outer(deviations, deviations)
+        correlation: Array = self.covariance(np.eye(len(deviations))) / np.outer(deviations, deviations)
+        return correlation
 
 
 def read_moment_fit(
@@ -325,16 +326,19 @@ class _Surface:
     def _features(self, x: Array) -> Array:
         z = (x - self.middle) / self.half
         rows, columns = np.triu_indices(len(z))
-        return np.concatenate([[1.0], z, z[rows] * z[columns]])
+        features: Array = np.concatenate([[1.0], z, z[rows] * z[columns]])
+        return features
 
     def at(self, x: Array) -> Array:
         """Return the statistics (moments,) at a place."""
-        return self._features(x) @ self.coefficients
+        statistics: Array = self._features(x) @ self.coefficients
+        return statistics
 
     def covariance(self, x: Array) -> Array:
         """Return the covariance (moments, moments) of what the regression says there."""
         f = self._features(x)
-        return self.scatter * float(f @ self._inverse @ f) + self.misfit
+        covariance: Array = self.scatter * float(f @ self._inverse @ f) + self.misfit
+        return covariance
 
     def jacobian(self, x: Array) -> Array:
         """Return the derivatives (moments, k) of the statistics."""

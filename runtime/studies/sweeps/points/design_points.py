@@ -104,7 +104,8 @@ class Design:
         from scipy.stats import qmc  # slow to import
 
         sampler = {"latin": qmc.LatinHypercube, "sobol": qmc.Sobol}[self.sampler]
-        return sampler(len(self.axes), rng=self.seed).random(self.sample)
+        parts: np.ndarray = sampler(len(self.axes), rng=self.seed).random(self.sample)
+        return parts
 
 
 def _drawn(axis: Axis, part: float) -> ValueWithUnit | str:

@@ -87,7 +87,8 @@ class Section:
             times = np.append(t[index] + within, t[last])
             crossings.append(self._located(run, times, values))
         times = np.concatenate(crossings) if crossings else np.zeros(0)
-        return times[times > begin + EDGE * (t[-1] - begin)]
+        after: np.ndarray = times[times > begin + EDGE * (t[-1] - begin)]
+        return after
 
     def _located(self, run: EngineSolution, times: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the crossings [s] between samples of the history at increasing times."""
