@@ -126,7 +126,8 @@ class WornContour(Worn):
     @cached_property
     def _axis(self) -> Vector:
         direction = self.touch.kin.direction(self.touch.second, self.touch.pair.axis)
-        return self.tape.vector(direction, f"{self.wear.name}_axis")
+        axis: Vector = self.tape.vector(direction, f"{self.wear.name}_axis")
+        return axis
 
     @cached_property
     def _length(self) -> Any:
@@ -210,7 +211,8 @@ class WornContour(Worn):
 
     def couple(self, force: Any) -> Vector:
         """Couple on the pin of a force along the gradient [N m]."""
-        return self.tape.vector(scale(-force * self._lever, self._axis), f"{self.wear.name}_couple")
+        couple: Vector = self.tape.vector(scale(-force * self._lever, self._axis), f"{self.wear.name}_couple")
+        return couple
 
     def _area(self, label: str) -> Any:
         """Area of a sector [m^2]."""

@@ -195,4 +195,5 @@ class Equations:
         q = y[: self.model.nq]
         still = np.zeros(self.model.nu)
         (by, without) = (self.model.evaluate("coordinate_rates", t, q, u, self._c)[0] for u in (moved, still))
-        return by - without
+        rates: Array = by - without
+        return rates

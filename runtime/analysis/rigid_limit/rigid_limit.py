@@ -157,7 +157,8 @@ class RigidLimit(Mapping[str, Array]):
             count = min(len(soft.apart), len(stiff.apart))
             ratio = np.log(np.abs(soft.apart[:count] / stiff.apart[:count])) / math.log(stiff.factor / soft.factor)
         moved = np.abs(soft.apart[:count]) > ROUNDING * self.t[-1]
-        return np.where(moved, ratio, math.nan).tolist()
+        orders: list[float] = np.where(moved, ratio, math.nan).tolist()
+        return orders
 
     @property
     def lines(self) -> list[str]:

@@ -423,4 +423,5 @@ class _Segment:
     t_max: float
 
     def __call__(self, t: float) -> Array:
-        return self.dense(t)
+        state: Array = self.dense(t)
+        return state

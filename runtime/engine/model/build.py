@@ -91,7 +91,8 @@ def scene_or_module(target: str | Path) -> Scene | ModuleType:
     place, name = split_target(target)
     if not in_python(target):
         require_targets([place])
-        return __import__(f"hertzwerk.derive.scenes.{place}", fromlist=["scene"]).scene
+        scene: Scene = __import__(f"hertzwerk.derive.scenes.{place}", fromlist=["scene"]).scene
+        return scene
     module = module_in(Path(place)) if is_file(target) else None
     if module is not None and not name:
         return module

@@ -31,6 +31,6 @@ def per_model(function: Callable[[AnyModel, *Others], Result]) -> Callable[[AnyM
         known, key = model.known, (function, others)
         if key not in known:
             known[key] = function(model, *others)
-        return known[key]
+        return known[key]  # type: ignore[no-any-return]
 
     return once

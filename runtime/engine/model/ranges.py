@@ -126,7 +126,8 @@ def hypercube(box: Array, count: int, seed: int) -> Array:
     from scipy.stats import qmc  # slow to import
 
     low, high = np.transpose(box)
-    return low + qmc.LatinHypercube(len(low), rng=seed).random(count) * (high - low)
+    values: Array = low + qmc.LatinHypercube(len(low), rng=seed).random(count) * (high - low)
+    return values
 
 
 def starts_in(ranges: Sequence[Range], values: Sequence[float], count: int, seed: int) -> Array:

@@ -100,7 +100,8 @@ def slip_of(places: Places, marks: Sequence[Landmark], at: Array, j: int) -> Arr
         within = places.rotations[j, body].T @ (at - places.origins[j, body])
         ends = [places.origins[k, body] + places.rotations[k, body] @ within for k in (before, after)]
         velocities.append((ends[1] - ends[0]) / max(places.t[after] - places.t[before], 1e-300))
-    return velocities[0] - velocities[1]
+    change: Array = velocities[0] - velocities[1]
+    return change
 
 
 Contact = tuple[Array, Array]

@@ -46,7 +46,8 @@ def contour(depths: Array, angles: Array) -> Array:
     count = len(depths)
     half = (angles[:, None] - 2 * np.pi * np.arange(count) / count) / 2
     shares = (np.sinc(count / (2 * np.pi) * half) / np.sinc(half / np.pi)) ** 4
-    return (shares / shares.sum(axis=1, keepdims=True)) @ depths
+    line: Array = (shares / shares.sum(axis=1, keepdims=True)) @ depths
+    return line
 
 
 def plot_wear(run: EngineSolution, wear: str) -> Figure:
