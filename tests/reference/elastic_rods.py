@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
 import numpy as np
 from scipy.integrate import solve_ivp
+from scipy.linalg import eigh
 from scipy.optimize import brentq
 
 POINTS, WEIGHTS = ((x + 1) / 2 if i == 0 else x / 2 for i, x in enumerate(np.polynomial.legendre.leggauss(60)))
@@ -106,6 +108,49 @@ def _spin(derived: Any, body: Any, q: Any, dq: Any) -> Any:
     _, rotation = pose(derived, body, q)
     turned = rotation.T @ ca.reshape(ca.jtimes(ca.reshape(rotation, 9, 1), q, dq), 3, 3)
     return ca.vertcat(turned[2, 1], turned[0, 2], turned[1, 0])
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A rod in a row along X: length [m], mass [kg], bending stiffness [N m^2], whether its start is hinged to what carries it.
+
+    mass and inertia about its own centre, [kg], [kg m^2], of a body at `ahead` [m] beyond its end, hinged there or held.
+    """
+
+    length: float
+    mass: float
+    stiffness: float
+    hinged: bool
+    load: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    swings: bool = False
+
+
+def frequencies(row: Sequence[Piece], elements: int = 12) -> Any:
+    """Angular frequencies of small bending of rods in a row from the ground [rad/s], by Hermite's elements; without those of free motions."""
+    parts, count, place = [], 2, (0, 1)
+    held = {0} if row[0].hinged else {0, 1}
+    for k, piece in enumerate(row):
+        h = piece.length / elements
+        stiff = piece.stiffness / h**3 * np.array([[12, 6 * h, -12, 6 * h], [6 * h, 4 * h**2, -6 * h, 2 * h**2],
+                                                   [-12, -6 * h, 12, -6 * h], [6 * h, 2 * h**2, -6 * h, 4 * h**2]])  # fmt: skip
+        heavy = piece.mass / elements / 420 * np.array([[156, 22 * h, 54, -13 * h], [22 * h, 4 * h**2, 13 * h, -3 * h**2],
+                                                        [54, 13 * h, 156, -22 * h], [-13 * h, -3 * h**2, -22 * h, 4 * h**2]])  # fmt: skip
+        if k and piece.hinged:
+            place, count = (place[0], count), count + 1
+        for _ in range(elements):
+            parts.append(((*place, count, count + 1), stiff, heavy))
+            place, count = (count, count + 1), count + 2
+        m, inertia, ahead = piece.load
+        at = (place[0], count) if piece.swings else place
+        count += piece.swings
+        parts.append((at, np.zeros((2, 2)), np.array([[m, m * ahead], [m * ahead, m * ahead**2 + inertia]])))
+    K, M = np.zeros((2, count, count))
+    for at, stiff, heavy in parts:
+        K[np.ix_(at, at)] += stiff
+        M[np.ix_(at, at)] += heavy
+    free = [i for i in range(count) if i not in held]
+    squares = eigh(K[np.ix_(free, free)], M[np.ix_(free, free)], eigvals_only=True)
+    return np.sqrt(squares[squares > 1e-6 * squares[6]])
 
 
 class BentCoupler:

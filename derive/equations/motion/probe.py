@@ -14,7 +14,7 @@ from hertzwerk.derive.expressions.parameter import Parameter
 from hertzwerk.derive.program.program import symbols_in
 
 STATES = 4
-BENT = 1e-3  # deflections of rods beside the length: small, as their equations suppose
+BENT = 1e-4  # amplitude of each shape of a rod beside the length: small enough for a dozen, as their equations suppose
 UNDEFINED = (ValueError, TypeError, ZeroDivisionError, OverflowError, NotImplementedError)
 """Errors of an evaluation where an expression has no value, or a function that mpmath lacks, such as a curve's."""
 _TRIES, _CORRECTIONS = 20, 30
