@@ -14,7 +14,7 @@ PASSING = N / 2 * 50 * (1 - SMALL / D)  # Hz, of balls at a place of the outer r
 @pytest.fixture(scope="module")
 def passes():
     """Three whole passes of balls, at 600 times."""
-    run = simulate(load("ball_bearing"), duration="40 ms", tolerance=1e-5)
+    run = simulate(load("ball_bearing"), duration="40 ms", tolerance=1e-5, compiled=False)
     return run.at(0.04 - 3 / PASSING * (1 - np.arange(600) / 600))
 
 

@@ -1,11 +1,13 @@
 """Every page of the handbook does what it states: its code runs, prints its outputs and draws its pictures."""
 
+import math
 import re
 
 import pytest
 from each import each
 
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.engine.integration.loop import automatic_compilation
 from hertzwerk.runtime.handbook.page_code import RUN, PageError, blocks, difference, is_long, run_page
 from hertzwerk.runtime.handbook.web_pages import SOURCE, pages, pictures_of
 
@@ -16,6 +18,12 @@ WITH_CODE = [
     if any(block.language in RUN for block in blocks(text))
 ]
 LANGUAGES = {*RUN, "output", "console", "toml", "csv", "text", "xml", "c"}
+
+
+@pytest.fixture(autouse=True)
+def _uncompiled(monkeypatch):
+    """To compile on the way changes no bit, and takes more of the processor than it saves a page."""
+    monkeypatch.setattr(automatic_compilation, "LOOK", math.inf)
 
 
 @pytest.mark.parametrize("name", WITH_CODE)
