@@ -6,6 +6,8 @@ import pytest
 import hertzwerk.derive as hd
 from hertzwerk.runtime import equilibrium, load, simulate
 
+pytestmark = pytest.mark.by_turns(2)  # methods and coordinates that run the same code
+
 RADIUS, STROKE = hd.Parameter("R", "mm", 20), hd.Parameter("stroke", "mm", 1)
 RATE, STIFFNESS, MASSES = 100.0, 1e8, {"punch": 1.5, "die": 0.7}
 r, a = RADIUS.si, STROKE.si

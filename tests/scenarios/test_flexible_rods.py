@@ -27,6 +27,8 @@ from hertzwerk.derive.scenes.flexible_slider_crank import scene as flexible_slid
 from hertzwerk.runtime import equilibrium, load, modes, simulate
 from reference.elastic_rods import BentCoupler
 
+pytestmark = pytest.mark.by_turns(2)  # methods and coordinates that run the same code
+
 L, M, EI = 1.2, 0.9, 30.0
 LENGTH, MASS, STIFF = Parameter("length", "m", L), Parameter("mass", "kg", M), Parameter("stiffness", "N m^2", EI)
 PACE = np.sqrt(EI / (M * L**3))  # 1/s

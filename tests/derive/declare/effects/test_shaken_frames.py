@@ -16,6 +16,7 @@ SCALES, START = hd.Scales(SIZE, p("pace", "m/s", 1), arm=SIZE), hd.Start(positio
 HUNG = hd.Mechanism("hung", (hd.Revolute("hinge", hd.GROUND, BOB, axis=hd.Z),))
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 @pytest.mark.parametrize("axis", [hd.X, hd.Y])
 def test_a_frame_that_is_shaken(axis, coordinates):

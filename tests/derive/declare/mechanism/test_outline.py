@@ -111,6 +111,7 @@ def test_a_roller_that_hits_a_corner_leaves_along_the_line_to_it():
     assert after == pytest.approx(v - 2 * (v @ n) * n, rel=5e-3)
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize(
     ("x", "y", "pace"), [(0.02, -1, 2), (0.01, 1, 2), (0.03, 1, -2)], ids=["below", "above", "clockwise"]
 )

@@ -191,6 +191,7 @@ def euler(spin, t):
     return np.array([size[0] * cn, size[1] * sn, size[2] * dn])
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 @pytest.mark.parametrize("spin", [(3.0, 0.0, 4.0), (3.0, 0.0, 2.9815)], ids=["tumbling", "Dzhanibekov"])
 def test_a_free_body_with_products_of_inertia_turns_as_in_its_principal_axes(coordinates, spin):

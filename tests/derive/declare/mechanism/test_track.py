@@ -16,6 +16,7 @@ WIRE = hd.PointInTrack("wire", hd.GROUND, BEAD, CYCLOID)
 PLANE = hd.Planar("plane", hd.GROUND, BEAD)
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 @pytest.mark.parametrize("amplitude", [0.3, 2.5])
 def test_the_period_on_a_cycloid_does_not_depend_on_the_amplitude(coordinates, amplitude):

@@ -11,6 +11,8 @@ from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.loading import engine_model
 
+pytestmark = pytest.mark.by_turns(2)  # methods and coordinates that run the same code
+
 M, K, C, J, KAPPA = 2.0, 50.0, 0.7, 0.3, 4.0  # kg, N/m, N s/m, kg m^2, N m
 MASS, STIFFNESS, DAMPING = (
     hd.Parameter("mass", "kg", M),

@@ -17,6 +17,8 @@ from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.start.start_values import start_of
 from hertzwerk.runtime.loading import engine_model
 
+pytestmark = pytest.mark.by_turns(2)  # methods and coordinates that run the same code
+
 R, L, OMEGA = 0.05, 0.12, 5000 * np.pi / 30
 ROD, SLIDER, INERTIA, CENTRE = 0.21, 0.14, 2.5e-4, 0.06
 SEATED = Start(seated=True)

@@ -128,6 +128,7 @@ def test_the_speed_falls_with_the_logarithm_of_the_gap(coordinates):
     assert run.energy_residual < 1e-8
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("method", ["rodas", "dop853", "esdirk", "auto"])
 def test_a_fast_ball_breaks_through_and_bounces_a_slow_one_stays(method):
     """Speeds at the onset of dry contact and after the rebound: v0 - per ln(h0/2 layers), less what the last two layers take."""
@@ -143,6 +144,7 @@ def test_a_fast_ball_breaks_through_and_bounces_a_slow_one_stays(method):
     assert len(slow.impacts) == 0 and slow["fall.speed"][-1] == pytest.approx(0, abs=1e-5)
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("transition", ["linear", "abrupt"])
 @pytest.mark.parametrize("method", ["rodas", "dop853"])
 def test_a_hybrid_film_breaks_down_at_one_layer(transition, method):

@@ -84,6 +84,7 @@ def depths(run, surface, count):
     return np.array([run[f"wear.{surface}_{k}"][-1] for k in range(1, count + 1)])
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 def test_a_pin_that_turns_wears_evenly(coordinates):
     """Depth k F s/(H 2 pi R L) all around after a whole turn; the bush, which is too hard to wear, has no depth."""

@@ -11,6 +11,8 @@ import hertzwerk.derive as hd
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.loading import engine_model
 
+pytestmark = pytest.mark.by_turns(3)  # methods and coordinates that run the same code
+
 J, R, L, K, V = 1e-3, 2.0, 5e-3, 0.1, 24.0  # kg m^2, ohm, H, N m/A, V
 ROTOR = hd.Body("rotor", hd.Parameter("mass", "kg", 1), hd.Parameter("inertia", "kg m^2", J))
 SHAFT = hd.Mechanism("shaft", (hd.Revolute("main", hd.GROUND, ROTOR, axis=hd.Z),))

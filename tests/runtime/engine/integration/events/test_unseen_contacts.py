@@ -13,6 +13,8 @@ from hertzwerk.derive.laws import flores, power
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.integration.loop import plain_attempt
 
+pytestmark = pytest.mark.by_turns(3)  # methods and coordinates that run the same code
+
 REACH = 0.05  # m: of the bar, and of the plate that is driven
 
 

@@ -10,6 +10,8 @@ from hertzwerk.derive.laws import power
 from hertzwerk.runtime import equilibrium, modes, simulate, sweep
 from hertzwerk.runtime.loading import engine_model
 
+pytestmark = pytest.mark.by_turns(2)  # methods and coordinates that run the same code
+
 BOTH = ("tree", "absolute")
 EXACT = 1e-9
 m, r, g = hd.Parameter("m", "kg", 2.0), hd.Parameter("r", "m", 0.3), hd.Parameter("g", "m/s^2", 9.81)

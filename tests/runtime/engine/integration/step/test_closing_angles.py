@@ -11,6 +11,8 @@ import hertzwerk.derive as hd
 from hertzwerk.derive.declare.effects.effect import Element
 from hertzwerk.runtime import equilibrium, load, modes, simulate
 
+pytestmark = pytest.mark.by_turns(2)  # methods and coordinates that run the same code
+
 p = hd.Parameter
 SCALES = hd.Scales(p("size", "m", 1), p("pace", "m/s", 1), arm=p("arm", "m", 1))
 BETA, TURNED = 0.5, 8.0

@@ -12,6 +12,8 @@ from hertzwerk.derive.equations.motion import constraints as coupled
 from hertzwerk.derive.laws import power
 from hertzwerk.runtime import load, simulate
 
+pytestmark = pytest.mark.by_turns(2)  # methods and coordinates that run the same code
+
 BOTH = ("tree", "absolute")
 TOLERANCE, EXACT = 1e-10, 1e-9
 r, pace = hd.Parameter("arm_length", "m", 0.4), hd.Parameter("pace", "m/s", 1.0)

@@ -11,6 +11,8 @@ from scipy.optimize import brentq
 import hertzwerk.derive as hd
 from hertzwerk.runtime import equilibrium, load, modes, simulate
 
+pytestmark = pytest.mark.by_turns(2)  # methods and coordinates that run the same code
+
 G, M, J, L, R, MU, V_S = 9.81, 1.3, 0.02, 0.4, 0.06, 0.35, 1e-3
 p = hd.Parameter
 DOWN = hd.Gravity("gravity", p("g", "m/s^2", G), direction=-hd.Y)
