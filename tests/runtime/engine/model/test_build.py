@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.common.module_format import FORMAT, sealed
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.model import build
@@ -125,6 +126,13 @@ def test_another_variation_or_another_derivation_is_another_entry(folder, monkey
     monkeypatch.setattr(build, "derive_digest", lambda: "changed")
     build.build_built_in("two_spheres", ["energy_ledger"])
     assert len(list(folder.iterdir())) == 3
+
+
+def test_all_faults_of_a_variation_come_at_once():
+    with pytest.raises(InputError) as caught:
+        build.vary(build.scene_from("slider_crank"), ["nope", "nor_this"], {"slider_pin": "newton", "guide": "flores"})
+    text = str(caught.value)
+    assert all(word in text for word in ("nope", "nor_this", "newton", "guide"))
 
 
 def test_tracebacks_find_the_lines_of_a_generated_module():

@@ -13,6 +13,7 @@ from hertzwerk.runtime import Solution, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model import caller
 from hertzwerk.runtime.engine.run import recorder
+from hertzwerk.runtime.engine.run.built_engine import engine_for
 from hertzwerk.runtime.engine.run.recorder import Recorder
 from hertzwerk.runtime.engine.solution import step_observers
 from hertzwerk.runtime.loading import engine_model
@@ -169,3 +170,26 @@ def test_the_command_line_writes_what_there_is(tmp_path, monkeypatch):
     assert "no room" in done.output
     assert json.loads(Path("out/run.json").read_text())["outcome"] == "exception"
     assert len(np.load("out/states.npz")["rows" if "rows" in np.load("out/states.npz") else "t"])
+
+
+@pytest.mark.timeout(60)
+def test_a_run_that_rejects_for_ever_ends(ball, monkeypatch):
+    evaluate = caller.Caller.__call__
+
+    def rejects(self):
+        results = evaluate(self)
+        states = results[0]
+        if states.shape[0] == 256:
+            before, layout = self.inputs[0], engine_for(ball, "dop853", False).integrator.layouts.state
+            states[:] = before
+            states[:, layout["accepted"]] = 0
+            states[:, layout["rejected"]] += np.arange(1, 257)[:, None]
+        return results
+
+    simulate(ball, method="dop853", **ASKED)
+    monkeypatch.setattr(caller.Caller, "__call__", rejects)
+    run = simulate(ball, **ASKED, method="dop853", max_steps=5000)
+    assert run.outcome.name == "too_many_steps"
+    assert run.statistics.steps == 0
+    assert 5000 < run.statistics.rejected <= 5256
+    assert f": 0 steps accepted, {run.statistics.rejected:,} rejected, max_steps = 5,000" in run.outcome.message
