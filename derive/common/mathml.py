@@ -7,7 +7,7 @@ elements, broken before equals, plus and minus signs, so that long equations go 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Literal, TypeAlias
 from unicodedata import lookup
 
@@ -16,6 +16,8 @@ from hertzwerk.derive.common.markup import Markup, joined, tag
 LONG = 45  # tokens from which a bracket or a numerator is taken apart
 
 WIDE = 30  # elements from which a line may also break before a factor
+
+CELL = 45  # letters and signs from which a case goes on in the next line
 
 Role: TypeAlias = Literal["", "sign", "opens", "factor"]
 
@@ -72,9 +74,16 @@ def inline(latex: str) -> Markup:
 
 def _line(latex: str) -> Markup:
     """Return a line as `math` elements that a browser may put on several lines."""
+    # display style by attribute: the elements stay inline
+    pieces = _pieces(_Reader(latex).all())
+    return joined((tag("math", tag("mrow", *piece), displaystyle="true") for piece in pieces), " ")
+
+
+def _pieces(nodes: Iterable[tuple[Markup, Role]]) -> list[list[Markup]]:
+    """Divide nodes where a line may break."""
     pieces: list[list[Markup]] = [[]]
     before: Role = "opens"
-    for node, role in _Reader(latex).all():
+    for node, role in nodes:
         wide = sum(piece.count("<m") for piece in pieces[-1]) > WIDE
         breaks = (role == "sign" or (wide and role != "")) and before not in ("sign", "opens")
         if breaks:
@@ -82,8 +91,7 @@ def _line(latex: str) -> Markup:
         # a plus or minus at the start of a piece is none of a number's
         pieces[-1].append(Markup(node.replace("<mo>", '<mo form="infix">')) if breaks and role == "sign" else node)
         before = role
-    # display style by attribute: the elements stay inline
-    return joined((tag("math", tag("mrow", *piece), displaystyle="true") for piece in pieces), " ")
+    return pieces
 
 
 class _Reader:
@@ -212,7 +220,7 @@ class _Reader:
             around = _space(_SPACES[","])
             node = joined([around, node, None if self._fenced_next() else around])
             return node, "opens"
-        return node, "sign" if base in _BREAKS else "factor" if first == r"\left" else ""
+        return node, "sign" if base in _BREAKS else "factor" if first in (r"\left", r"\begin") else ""
 
     def _argument(self) -> Markup:
         """Return a group, or the one node that stands for it."""
@@ -299,7 +307,7 @@ class _Reader:
             raise self._unexpected(name, "cases")
         rows: list[list[Markup]] = [[]]
         while True:
-            rows[-1].append(tag("mtd", self._nodes(), style="text-align: left"))
+            rows[-1].append(tag("mtd", self._cell(), style="text-align: left"))
             if (token := self._next()) == r"\\":
                 rows.append([])
             elif token == r"\end":
@@ -311,6 +319,19 @@ class _Reader:
             "mrow", tag("mo", "{", fence="true", stretchy="true"), tag("mtable", *(tag("mtr", *row) for row in rows))
         )
 
+    def _cell(self) -> Markup:
+        """Return a value or condition of cases; a long one as lines below each other."""
+        start, whole = self._at, self._nodes()
+        if _letters(whole) <= CELL:
+            return whole
+        self._at = start
+        lines: list[list[Markup]] = [[]]
+        for piece in _pieces(self._row((), apart=True)):
+            if lines[-1] and _letters(joined((*lines[-1], *piece))) > CELL:
+                lines.append([_space(_SPACES["quad"])])
+            lines[-1] += piece
+        return tag("mtable", *(tag("mtr", tag("mtd", *line, style="text-align: left")) for line in lines))
+
 
 def _letter(name: str) -> str:
     """Return the letter of a command, Greek or other; nothing for what is none."""
@@ -318,6 +339,11 @@ def _letter(name: str) -> str:
         return _SYMBOLS.get(name) or lookup(f"GREEK {'CAPITAL' if name[0].isupper() else 'SMALL'} LETTER {name}")
     except KeyError:
         return ""
+
+
+def _letters(node: Markup) -> int:
+    """Count the letters and signs of a formula."""
+    return len(re.sub("<[^>]*>", "", node))
 
 
 def _space(width: str) -> Markup:

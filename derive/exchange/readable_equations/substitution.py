@@ -10,6 +10,7 @@ import sympy as sp
 from hertzwerk.derive.exchange.readable_equations.drafts import KINEMATICS, Draft
 from hertzwerk.derive.exchange.readable_equations.symbols import Names
 from hertzwerk.derive.exchange.readable_equations.trigonometry import contract_products
+from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.program.program import Tape, symbols_in
 
 SMALL = 4  # most symbols of an intermediate result that is substituted wherever it is used
@@ -78,6 +79,8 @@ class Substitution:
         for symbol in order:
             form = self._flat(self._contracted(assignments[symbol].xreplace(self._inlined)))
             self.of[symbol] = form
+            if form.is_Function and any(isinstance(part, Where) for part in form.args):
+                self._landmarks.add(symbol)  # a branch within a branch: long, and written once
             size, keep = self.size(form), symbol in self._landmarks
             if form in self._known or (form in self._landmarks and symbol not in requested):
                 self._inlined[symbol] = self._known.get(form, form)  # equal to a named result

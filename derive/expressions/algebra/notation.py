@@ -38,7 +38,7 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
 class _Running(_Latex):
     """LaTeX printer for the equations of a scene.
 
-    Sums begin with a positive term; branches are cases; functions of one symbol have no brackets.
+    Sums begin with a positive term; branches, also those of an else, are cases; functions of one symbol have no brackets.
     """
 
     def _needs_function_brackets(self, argument: Any) -> bool:
@@ -48,9 +48,13 @@ class _Running(_Latex):
         terms = super()._as_ordered_terms(expression, order)
         return sorted(terms, key=_is_negative) if _is_negative(terms[0]) else terms
 
-    def _print_Where(self, node: Any) -> str:
-        condition, value, other = map(self._print, node.args)
-        return rf"\begin{{cases}} {value} & \text{{if }} {condition} \\ {other} & \text{{else}} \end{{cases}}"
+    def _print_Where(self, node: Any, exp: str | None = None) -> str:
+        rows = ""
+        while isinstance(node, Where):
+            condition, value, node = node.args
+            rows += rf"{self._print(value)} & \text{{if }} {self._print(condition)} \\ "
+        cases = rf"\begin{{cases}} {rows}{self._print(node)} & \text{{else}} \end{{cases}}"
+        return cases if exp is None else rf"\left({cases}\right)^{{{exp}}}"
 
 
 def _is_negative(term: Any) -> bool:
@@ -77,7 +81,7 @@ def latex_of(expression: Any, letters: Mapping[Any, str] | None = None) -> str:
 def _with_least(expression: Any) -> Any:
     """Write branches that take the lesser of two as Min: for texts, never to be differentiated."""
     return sp.sympify(expression).replace(
-        lambda node: isinstance(node, Where) and node.args[0] == sp.StrictLessThan(*node.args[1:]),
+        lambda node: isinstance(node, Where) and node.args[0].func is sp.Lt and node.args[0].args == node.args[1:],
         lambda node: sp.Min(*node.args[1:], evaluate=False),
     )
 

@@ -5,8 +5,11 @@ from collections import Counter
 from xml.etree import ElementTree
 
 import pytest
+import sympy as sp
 
 from hertzwerk.derive.common.mathml import inline, lines_of
+from hertzwerk.derive.expressions.algebra.functions import Where
+from hertzwerk.derive.expressions.algebra.notation import latex_of
 from hertzwerk.runtime.engine.model.build import built_in_scenes, equations, scene_from
 
 
@@ -120,3 +123,23 @@ def test_one_over_a_sum_of_fractions_stays_whole():
     assert len(lines_of(rf"E = \frac{{1}}{{{terms}}}")[0][0].split("<mfrac>")) == 4
     assert "(" not in lines_of(rf"E = \frac{{1}}{{{terms}}}")[0][0]
     assert "(" in lines_of(rf"E = \frac{{a + b + {terms}}}{{c}}")[0][0]
+
+
+def test_a_long_case_goes_on_in_the_next_line():
+    for count, lines in ((2, 0), (20, 3)):
+        terms = " + ".join(f"a_{{{k}}} b c" for k in range(10, 10 + count))
+        cases = read(rf"\begin{{cases}} {terms} & \text{{if }} x < 0 \\ 0 & \text{{else}} \end{{cases}}")
+        found = [said(row)[1:-1].strip() for row in cases.iterfind(".//mtable//mtable/mtr")]
+        assert len(found) == lines
+        assert "".join(found) in ("", re.sub("[ {}]", "", terms))
+
+
+def test_branches_of_an_else_are_cases_of_one_brace():
+    x = sp.Symbol("x", real=True)
+    inner = Where(x < 2, x**2, 3)
+    shown = latex_of(Where(x < 1, 0, inner) + inner**2, {x: "x"})
+    rows = r"x^{2} & \text{if } x < 2 \\ 3 & \text{else} \end{cases}"
+    assert rf"\begin{{cases}} 0 & \text{{if }} x < 1 \\ {rows}" in shown
+    assert rf"\left(\begin{{cases}} {rows}\right)^{{2}}" in shown
+    assert latex_of(Where(x < 2, x, 2), {x: "x"}).startswith(r"\min")
+    assert latex_of(Where(x < 2, x, sp.I), {x: "x"}).startswith(r"\begin{cases}")  # branches that nothing compares
