@@ -330,7 +330,7 @@ class _Reader:
             if lines[-1] and _letters(joined((*lines[-1], *piece))) > CELL:
                 lines.append([_space(_SPACES["quad"])])
             lines[-1] += piece
-        return tag("mtable", *(tag("mtr", tag("mtd", *line, style="text-align: left")) for line in lines))
+        return tag("mtable", *(tag("mtr", tag("mtd", *line, style="text-align: left; padding: 0")) for line in lines))
 
 
 def _letter(name: str) -> str:

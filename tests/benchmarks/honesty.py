@@ -72,6 +72,8 @@ class Motion:
 
     def measured(self, method: str, asked: float) -> Case:
         """One run for an accuracy."""
+        if self.uncertain == np.inf:
+            return Case(self.name, method, asked, "without a reference")
         if asked < ROUNDING * self.uncertain:
             return Case(self.name, method, asked, "below the floor")
         with counted() as whole:
@@ -156,7 +158,13 @@ def honesty(
     for case in cases:
         if case.what == "finished" and not 1 / WITHIN <= case.ratio <= WITHIN:
             yield f"    {case.scene}, {case.method}, {case.asked:g}: estimated {case.estimated:.2g}, true {case.true:.2g}"
-        if case.what in ("accuracy_unreachable", "not known", "step_too_small", "wall_time_limit"):
+        if case.what in (
+            "accuracy_unreachable",
+            "not known",
+            "step_too_small",
+            "wall_time_limit",
+            "without a reference",
+        ):
             yield f"    {case.scene}, {case.method}, {case.asked:g}: {case.what}, {case.estimated:.2g}, true {case.true:.2g}"
 
 

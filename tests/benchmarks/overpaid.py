@@ -87,14 +87,14 @@ def _timed(simulated: Callable[[], Any]) -> tuple[Any, float]:
 
 def overpaid(scenes: Sequence[str] | None = None, accuracies: Sequence[float] = ACCURACIES) -> Iterator[str]:
     """Requested over true error and cost over the cheapest single run with the requested error."""
-    found = [
-        request
-        for name in (scenarios.names() if scenes is None else scenes)
-        for request in requests(scene(name), accuracies)
-    ]
+    found, without = list[Request](), list[str]()
+    for motion in map(scene, scenarios.names() if scenes is None else scenes):
+        found += requests(motion, accuracies)
+        without += [motion.name] if motion.uncertain == np.inf else []
     for asked in accuracies:
         yield _line(f"{asked:g}", [request for request in found if request.asked == asked])
     yield _line("all", found)
+    yield from (f"    {name}: without a reference" for name in without)
     yield from (f"    over its request: {request}" for request in found if request.true > request.asked)
     yield from (f"    dearest: {request}" for request in sorted(found, key=lambda request: -request.cost)[:5])
 
