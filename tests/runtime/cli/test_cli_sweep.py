@@ -223,6 +223,22 @@ def test_bad_input_is_reported_at_once_and_nothing_is_written(tmp_path, argument
     assert list(tmp_path.iterdir()) == []
 
 
+def test_a_file_with_faults_is_refused_with_all_of_them(tmp_path):
+    file = tmp_path / "study.toml"
+    file.write_text('targt = "x"\nduration = true\noutputs = "a"\nsample = "3"\nover = {mass = true}\n')
+    with pytest.raises(InputError) as caught:
+        read_sweep(file)
+    assert {fault.where for fault in caught.value.faults} == {
+        "targt",
+        "target",
+        "duration",
+        "outputs",
+        "sample",
+        "over.mass",
+    }
+    assert "did you mean target?" in str(caught.value)
+
+
 def test_faults_of_form_and_of_meaning_come_at_once(tmp_path):
     file = tmp_path / "study.toml"
     file.write_text(

@@ -252,6 +252,13 @@ def test_a_lost_row_is_tried_anew_by_the_next_call_and_in_a_process_of_its_own(b
     same(sweep(ball, OVER, **how), sweep(ball, OVER, **{**how, "out": None, "workers": 1}))
 
 
+def test_a_row_that_is_there_cannot_be_stored_again(tmp_path):
+    with sweep_store.opened(tmp_path / "a") as opened:
+        opened.add({"k": row(0)}, {})
+        with pytest.raises(sqlite3.IntegrityError):
+            opened.add({"k": row(0)}, {})
+
+
 def test_a_row_comes_back_bitwise(tmp_path):
     outputs = {"x": 0.1 + 0.2, "y": -0.0, "z": float("nan"), "u": float("inf"), "v": 5e-324}
     written = Row(0, {"b": "2", "a": (0.1, "mm")}, "failed", "why", {"a": 1e-4}, outputs, ("one", "two"), 0.25)
