@@ -1,4 +1,4 @@
-"""lubricated_slider_crank: slider-crank, pin on an oil film that breaks through to dry contact. Generated from derive/scenes/lubricated_slider_crank.py.
+"""lubricated_slider_crank: slider-crank, pin in oil and in dry contact. Generated from derive/scenes/lubricated_slider_crank.py.
 
 Do not edit; regenerate with `hertzwerk derive lubricated_slider_crank`.
 Effects:
@@ -16,9 +16,9 @@ import casadi as ca
 
 NAME = "lubricated_slider_crank"
 SOURCE = "derive/scenes/lubricated_slider_crank.py"
-SUMMARY = "slider-crank, pin on an oil film that breaks through to dry contact"
+SUMMARY = "slider-crank, pin in oil and in dry contact"
 FORMAT = "hertzwerk module 1"
-DIGEST = "8128046959839e28d79670ecdf94a347"
+DIGEST = "65688dc0c41d8c6bef9fb9cb464a956e"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),

@@ -16,5 +16,5 @@ film = Lubrication(
 )
 *effects, ledger = dry.effects
 scene = replace(dry, effects=(*effects, film, ledger)).named(
-    "lubricated_slider_crank", "slider-crank, pin on an oil film that breaks through to dry contact"
+    "lubricated_slider_crank", "slider-crank, pin in oil and in dry contact"
 )

@@ -44,7 +44,7 @@ from hertzwerk.derive.exchange.sympy_models.model_equations import (
 from hertzwerk.derive.exchange.sympy_models.motion_by_expressions import (
     Condition,
     Description,
-    GivenEquations,
+    DynamicEquations,
     Linear,
     Placed,
 )
@@ -244,7 +244,7 @@ class Model:
         quantities += [Varying(f"function {name_of(f)}(t)", v, str(names.table[f])) for f, v in names.moving.items()]
         return Description(
             names.freedoms, names.measured, names.uncounted, rates, tuple(steps), places,
-            GivenEquations(mass, bias, potential), conditions, tuple(quantities), self._contradictions,
+            DynamicEquations(mass, bias, potential), conditions, tuple(quantities), self._contradictions,
         )  # fmt: skip
 
     def _loads(self) -> tuple[Loads, ...]:

@@ -68,7 +68,7 @@ class Condition:
 
 
 @dataclass(frozen=True, eq=False)
-class GivenEquations:
+class DynamicEquations:
     """Equations M du/dt + bias = forces, by rows, and the potential energy in them [J]."""
 
     mass: Mapping[tuple[str, str], Any]
@@ -94,7 +94,7 @@ class Description:
     rates: Mapping[str, Linear]
     steps: tuple[tuple[sp.Symbol, Any], ...]
     places: Mapping[str, Placed]
-    equations: GivenEquations
+    equations: DynamicEquations
     conditions: tuple[Condition, ...]
     quantities: tuple[Slot, ...]
     contradictions: tuple[tuple[str, str, str], ...] = ()

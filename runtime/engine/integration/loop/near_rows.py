@@ -107,5 +107,5 @@ class NearRows:
 
 def places(model: NearModel, lists: np.ndarray, pairs: np.ndarray) -> np.ndarray:
     """Return the places of pairs (n,) in lists (n, size)."""
-    found: np.ndarray = np.argmax(lists[:, : model.k] == pairs[:, None], axis=1)
-    return found
+    columns: np.ndarray = np.argmax(lists[:, : model.k] == pairs[:, None], axis=1)
+    return columns
