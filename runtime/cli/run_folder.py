@@ -286,8 +286,6 @@ def _write_data(solution: Solution, folder: Path, lost: list[str], request: Mapp
 def _write_derivatives(solution: Solution, path: Path) -> None:
     """Write the derivatives of every state and normal force, by each name, over the run's rows."""
     of = solution.sensitivities()
-    if of is None:
-        return
     histories = [*solution.engine.states, *(f"{pair}.normal_force" for pair in solution.engine.model.pairs)]
     columns = [(history, name) for name in of.names for history in histories]
     header = ",".join(["t [s]", *(f"d({history})/d({name}) [{of.unit(history, name)}]" for history, name in columns)])

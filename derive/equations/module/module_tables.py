@@ -29,6 +29,7 @@ def tables(system: System) -> Mapping[str, Any]:
     pairs = {pair.pair.name: i for i, (pair, _, _) in enumerate(system.contacts)}
     entries = {name: i for i, (name, _) in enumerate(system.memory)}
     meanings = meanings_of(scene)
+    used = dict.fromkeys(table for slot in scene.slots() for table in tables_in(slot.value))
     return {
         "EFFECTS": tuple((effect.name, effect.kind, effect.text) for effect in scene.effects),
         "UNCHECKED": tuple((e.name, e.text) for e in scene.effects if e.unchecked),
@@ -63,7 +64,7 @@ def tables(system: System) -> Mapping[str, Any]:
         "LANDMARKS": tuple(landmark.row for landmark in system.landmarks),
         "FAMILIES": (),
         **({"WORN": _worn(system)} if system.worn else {}),
-        **{table_name(table): table.pieces() for slot in scene.slots() for table in tables_in(slot.value)},
+        **{table_name(table): table.pieces() for table in used},
     }
 
 

@@ -78,7 +78,9 @@ class DynamicEquations:
 
 @dataclass(frozen=True, eq=False)
 class Description:
-    """Motion and equations as expressions.
+    """Motion and equations of a mechanism as expressions, in place of joints.
+
+    They are of Parameters, `T`, coordinates and speeds (`coordinate_of`, `speed_of`), inputs, and of the symbols of `steps`, a straight-line program.
 
     coordinates   freedoms: of one coordinate and its rate, or `given` ones, of a coordinate or a speed alone
     measured      `given` coordinates with their rates, and speeds without a coordinate (`uncounted`), for effects on them

@@ -154,6 +154,11 @@ class EngineModel:
         self.known: dict[Hashable, Any] = {}
         """Results of functions that are `per_model`."""
 
+    def effects_at_pairs(self, kind: str) -> dict[str, str]:
+        """Return the effect of a kind at each pair that has one."""
+        effects = [(name, text.removesuffix(", UNCHECKED")) for name, of, text in self.module.EFFECTS if of == kind]
+        return {pair: name for pair in self.pairs for name, text in effects if text.endswith(f" at {pair}")}
+
     def __repr__(self) -> str:
         return f"Model({self.name}: {self.nq} coordinates, {self.k} contact pairs, {len(self.parameters)} parameters)"
 

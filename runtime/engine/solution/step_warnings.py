@@ -224,10 +224,10 @@ def wide_sectors(model: EngineModel, history: History) -> Iterator[str]:
     """
     if history.p is None:
         return
-    for wear, kind, text in model.module.EFFECTS:
-        pair, states = text.rpartition(" at ")[2], (f"{wear}.pin_", f"{wear}.bush_")
+    for pair, wear in model.effects_at_pairs("wear").items():
+        states = (f"{wear}.pin_", f"{wear}.bush_")
         count = max([int(name.rpartition("_")[2]) for name in model.coordinates if name.startswith(states)], default=0)
-        touching = history[f"{pair}.penetration"][1:] > 0 if kind == "wear" and count else np.zeros(0, bool)
+        touching = history[f"{pair}.penetration"][1:] > 0 if count else np.zeros(0, bool)
         if not touching.any():
             continue
         marks = zip(model.module.LANDMARKS, model.landmarks(history.p), strict=True)

@@ -24,7 +24,6 @@ from hertzwerk.runtime.output.drawings.places import Landmark, Places
 from hertzwerk.runtime.output.films.film_clock import Clock
 from hertzwerk.runtime.output.films.moving_paper import MovingPaper
 from hertzwerk.runtime.output.plots.curves import Curves
-from hertzwerk.runtime.output.plots.oil_films import films
 from hertzwerk.runtime.output.plots.plot_panel import lines
 from hertzwerk.runtime.output.plots.plot_style import GREY, STYLE, VERMILLION, plain
 from hertzwerk.runtime.output.plots.title import differences, title_height, title_of, write_title
@@ -260,7 +259,8 @@ class Stage:
     def forces(self) -> dict[str, Array]:
         """Normal forces of the pairs over the curves' times [N]; empty where none acts and there is no film."""
         forces = {name: self.curves[f"{name}.normal_force"] for name in self.run.engine.model.pairs}
-        return forces if films(self.run.engine.model) or any(np.any(force) for force in forces.values()) else {}
+        oils = self.run.engine.model.effects_at_pairs("lubrication")
+        return forces if oils or any(np.any(force) for force in forces.values()) else {}
 
     @property
     def _rubs(self) -> bool:
@@ -464,7 +464,7 @@ class Stage:
 
     def _draw_histories(self, axis: Axes) -> None:
         """Draw the histories of the forces."""
-        oils = films(self.run.engine.model)
+        oils = self.run.engine.model.effects_at_pairs("lubrication")
         shown = {name: force for name, force in self.forces.items() if np.any(force)}
         shown |= {f"film, {oil}": self.curves[f"{oil}.force"] for oil in oils.values()}
         if len(shown) > MANY:

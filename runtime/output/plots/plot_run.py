@@ -22,7 +22,6 @@ from numpy.typing import NDArray
 from hertzwerk.runtime.engine.solution.history import History
 from hertzwerk.runtime.output.plots.arrangement import Arrangement
 from hertzwerk.runtime.output.plots.curves import Curves, impact_curves
-from hertzwerk.runtime.output.plots.oil_films import films
 from hertzwerk.runtime.output.plots.plot_panel import CONSTANT, LEGEND_ROOM, caption, empty_panel, legend, panel
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, STYLE, VERMILLION
 from hertzwerk.runtime.output.plots.save_figure import png_of
@@ -132,7 +131,7 @@ def _overview(curves: Curves) -> Figure:
 
 
 def _pair(curves: Curves, name: str) -> Figure:
-    run, film = curves.run, films(curves.run.engine.model).get(name)
+    run, film = curves.run, _films(curves).get(name)
     impact = next((impact for impact in run.impacts if impact.contact == name), None)
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM if film else mpl.rcParams["axes.titlepad"]}):
         figure = Figure(figsize=(12.5, 6.4), layout=Arrangement())
@@ -231,8 +230,13 @@ def _bending(axis: Axes, curves: Curves) -> None:
     panel(axis, curves, "Sag of rods from the line between their ends", "m", sags)
 
 
+def _films(curves: Curves) -> dict[str, str]:
+    """Return the oil film of each pair that has one, which is neither contact nor flight."""
+    return curves.run.engine.model.effects_at_pairs("lubrication")
+
+
 def _forces(axis: Axes, curves: Curves) -> None:
-    oils = films(curves.run.engine.model)
+    oils = _films(curves)
     contacts = {name: curves[f"{name}.normal_force"] for name in curves.run.engine.model.pairs}
     title = "Contact and film force" if oils else _of_one("Contact force", contacts)
     of_films = {f"film, {oil}": curves[f"{oil}.force"] for oil in oils.values()}
@@ -250,7 +254,7 @@ def _friction(axis: Axes, curves: Curves) -> None:
 
 
 def _normal_force(axis: Axes, curves: Curves, name: str) -> None:
-    film = films(curves.run.engine.model).get(name)
+    film = _films(curves).get(name)
     values = {"contact": curves[f"{name}.normal_force"]} | ({"film": curves[f"{film}.force"]} if film else {})
     panel(axis, curves, "Film and normal force" if film else "Normal force", "N", values, from_zero=True)
 
@@ -299,7 +303,7 @@ def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], 
     touching = gap[:-1] + gap[1:] < 0  # of each line between two points
     ends = [0, *np.flatnonzero(np.diff(touching)) + 1, len(touching)]
     ways = [(touching[a], points[a : b + 1]) for a, b in pairwise(ends) if a < b]
-    apart = "on the film" if name in films(curves.run.engine.model) else "free flight"
+    apart = "on the film" if name in _films(curves) else "free flight"
     for touches, colour, width, label in (
         (False, BLUE, 0.8, apart),
         (True, VERMILLION, 1.0, "in contact" + (" (outside the circle: penetration)" if len(inside) == 2 else "")),

@@ -106,9 +106,7 @@ def _unrolled(axis: Axes, lines: dict[str, Array]) -> None:
 def _radius(run: EngineSolution, wear: str) -> float:
     """Radius of the bush [m]."""
     model = run.engine.model
-    text = next(text for name, _, text in model.module.EFFECTS if name == wear)
+    worn = next(pair for pair, name in model.effects_at_pairs("wear").items() if name == wear)
     sizes = model.landmarks(model.bind(parameters_of(run, model)).p)
     rows = zip(model.module.LANDMARKS, sizes, strict=True)
-    return next(
-        float(size[3]) for (pair, _, place, *_), size in rows if place == "bush" and text.endswith(f" at {pair}")
-    )
+    return next(float(size[3]) for (pair, _, place, *_), size in rows if place == "bush" and pair == worn)

@@ -9,7 +9,7 @@ import matplotlib.ticker
 import numpy as np
 from matplotlib.figure import Figure
 
-from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, legend
+from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, labelled, legend
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, heading, plain
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 
@@ -33,7 +33,7 @@ def figure(minimum: Minimum) -> Figure:
             if np.any(there):
                 axes[0].plot(numbers[there], scale(objective[there]), "o", color=colour, markersize=5, label=label)
         axes[0].axhline(float(scale(minimum.objective)), color=VERMILLION, linewidth=1.2, label="minimum")
-        axes[0].set_title(f"objective{f' [{scale.unit}]' if scale.unit != '1' else ''}")
+        axes[0].set_title(labelled("objective", scale))
         if np.all(objective > 0) and np.ptp(np.log10(objective)) > 1:
             axes[0].set_yscale("log")
         legend(axes[0])
@@ -41,7 +41,7 @@ def figure(minimum: Minimum) -> Figure:
             values = np.array([trial.values[name] for trial in trials])
             scale = scale_of(own or "1", values)
             axis.plot(numbers, scale(values), "-o", color=GREY, linewidth=0.9, markersize=4, markerfacecolor=BLUE)
-            axis.set_title(plain(f"{name}{f' [{scale.unit}]' if scale.unit != '1' else ''}"))
+            axis.set_title(plain(labelled(name, scale)))
         axes[-1].set_xlabel("run")
         axes[-1].xaxis.set_major_locator(matplotlib.ticker.MaxNLocator(integer=True))
         heading(page, f"{minimum.scene}: {minimum.objective_text}")

@@ -11,6 +11,7 @@ import numpy as np
 
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.engine.run.run_request import progress_of
 from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.output.plots.curves import Curves
 from hertzwerk.runtime.simulation import Solution, simulate
@@ -163,7 +164,7 @@ def _cases(plan: Plan, sweeps: Sweeps, progress: Progress) -> Iterator[Case]:
             f"{law}-{'friction' if friction else 'frictionless'}", _model(law, friction=friction),
             over={"crank_speed": [f"{n!r} rpm" for n in plan.speeds], "clearance": [f"{c!r} mm" for c in plan.clearances]},
             outputs=[*OUTPUTS, "energy_residual"], duration=f"{plan.turns} rev", tolerance=TOLERANCE,
-            progress=lambda done, i=i: progress((i + done) / len(models)),
+            progress=progress_of(progress, i, len(models)),
         )  # fmt: skip
         for row, (speed, clearance) in zip(table.rows, product(plan.speeds, plan.clearances), strict=True):
             numbers = {n: (float(row[n]), float(row[f"{n}.half_width"])) for n in OUTPUTS}

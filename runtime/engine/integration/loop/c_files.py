@@ -10,7 +10,7 @@ import math
 import re
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from hertzwerk.runtime.engine.integration.loop.attempt import FINISH
@@ -248,11 +248,11 @@ class _Line:
     target: str = ""
     value: str = ""  # "" where a call returns it
     entries: int = 0  # 0 of a scalar
+    names: list[str] = field(init=False)
+    """Names of variables that it reads; without a target all of the line."""
 
-    @property
-    def names(self) -> list[str]:
-        """Names of variables that it reads; without a target all of the line."""
-        return _NAMED.findall(self.value if self.target else self.text)
+    def __post_init__(self) -> None:
+        self.names = _NAMED.findall(self.value if self.target else self.text)
 
     def changes(self, names: Iterable[str]) -> bool:
         """Return whether it may change the value of one of these variables; the end of a block may."""
@@ -261,7 +261,7 @@ class _Line:
     def give(self, value: str) -> None:
         """Give the target this value."""
         self.value, (loop, place) = value, (f"EACH (i=0; i<{self.entries}; ++i) ", "[i]") if self.entries else ("", "")
-        self.text = f"  {loop}{self.target}{place}={value};\n"
+        self.text, self.names = f"  {loop}{self.target}{place}={value};\n", _NAMED.findall(value)
 
 
 def fused(text: str) -> str:
@@ -296,9 +296,7 @@ def _fused(body: re.Match[str]) -> str:
     count = Counter(re.findall(r"\w+", text))
 
     def declared(line: re.Match[str]) -> str:
-        variables = [
-            each for each in line[2].split(", ") if any(count[name] > 1 for name in re.findall(r"\w+", each)[:1])
-        ]
+        variables = [each for each in line[2].split(", ") if count[re.split(r"\W+", each.lstrip("*"))[0]] > 1]
         return f"{line[1]} {', '.join(variables)};\n" if variables else ""
 
     return _DECLARED.sub(declared, text)

@@ -9,7 +9,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, legend
+from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, labelled, legend
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, heading, plain
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 from hertzwerk.runtime.studies.comparison.series_moments import QUANTILE
@@ -84,6 +84,5 @@ def _objective(axis: Axes, fit: MomentFit, name: str) -> None:
     axis.set_xlim(float(np.min(ends)), float(np.max(ends)))
     if value.log:
         axis.set_xscale("log")
-    unit = "" if scale.unit == "1" else f" [{scale.unit}]"
-    axis.set_xlabel(plain(f"{name}{unit}"))
+    axis.set_xlabel(plain(labelled(name, scale)))
     axis.set_title(f"rise of the objective, and {rise:.2f} of a {LEVEL:.0%} interval")

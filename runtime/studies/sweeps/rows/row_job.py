@@ -73,9 +73,17 @@ class Tasks:
         return task
 
 
+class Flag(Protocol):
+    """Flag that runs look at; where it is true they stop."""
+
+    @property
+    def value(self) -> int:
+        """Whether to stop."""
+
+
 @dataclass
 class LocalFlag:
-    """Flag within one process that runs look at; where its value is true they stop."""
+    """Flag within one process."""
 
     value: int = 0
 
@@ -95,7 +103,7 @@ class Job:
     outputs: list[Output]
     row_arrays: RowArrays | None = None
     foreseen: float = 0.0
-    stop: Any = field(default_factory=LocalFlag)
+    stop: Flag = field(default_factory=LocalFlag)
     compiled: bool = False
     choices: Choices = NO_CHOICES
 
@@ -251,7 +259,7 @@ def _sent(
     outputs: list[tuple[str, Own | None]],
     row_arrays: RowArrays | None,
     foreseen: float,
-    stop: Any,
+    stop: Flag,
     choices: Choices,
 ) -> Job:
     return Job(model, settings, named(model, outputs), row_arrays, foreseen, stop, choices=choices)
