@@ -169,6 +169,23 @@ class EngineModel:
         return _restored, (type(self), self.name, text, tables, self.declaration, self.dependent, self.signals)
 
     @cached_property
+    def held(self) -> tuple[int, ...]:
+        """Rows of q that events alone change: their rates are zero."""
+        return tuple(row for row, rate in self._constant_rates.items() if rate == 0)
+
+    @cached_property
+    def timers(self) -> tuple[int, ...]:
+        """Rows of q that events set, and that time alone changes between them, such as a countdown."""
+        return tuple(row for row, rate in self._constant_rates.items() if rate != 0)
+
+    @cached_property
+    def _constant_rates(self) -> dict[int, float]:
+        """Constant rates of rows of q that events change."""
+        changed = sorted({row for _, rows in self.events for row in rows})
+        rates = self.expressions("coordinate_rates", *self.symbols("t q u c"))[0] if changed else ()
+        return {row: float(rates[row]) for row in changed if rates[row].is_constant()}
+
+    @cached_property
     def units(self) -> dict[str, str]:
         """Unit text of every state by name, in the order q, u, z."""
         module = self.module

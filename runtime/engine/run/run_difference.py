@@ -32,8 +32,7 @@ def differences(model: EngineModel, scales: Scales, one: Trace, other: Trace, n:
     apart, forces = (rows.part(name) - reference.part(name) for name in ("y", "force"))
     motions = reference, rows  # where one of them has had an event before the other, their rates differ
     rates = np.stack([motion.part("dy")[:, :m] for motion in motions])
-    changed = {row for _, rows in model.events for row in rows}
-    held = [row for row in sorted(changed) if not rates[..., row].any()]
+    held = list(model.held)
     apart[:, held] = 0
     force_rates = np.stack([motion.part("force_rate") for motion in motions])
     error, shift = scaling.distance(apart[:, :m] / size, rates / size, scales.pace)
@@ -41,7 +40,7 @@ def differences(model: EngineModel, scales: Scales, one: Trace, other: Trace, n:
     left = np.abs(apart[:, :m] - rates * shift), np.abs(forces - force_rates * shift)
     table: np.ndarray = np.where(error[0] <= error[1], *np.concatenate([error, *left], axis=2))
     if held:
-        jumped = event_differences(*(trace.part("y")[:, held] for trace in (rows, reference)))
+        jumped = scaling.event_differences(*(trace.part("y")[:, held] for trace in (rows, reference)))
         table[:, [1 + row for row in held]] = jumped
         table[:, 0] = np.maximum(table[:, 0], np.max(jumped / size[held], axis=1))
     until = float(rows.t[-1])
@@ -57,16 +56,6 @@ def differences(model: EngineModel, scales: Scales, one: Trace, other: Trace, n:
             at = min(int(np.searchsorted(rows.t, t)), n - 1), [0, 1 + m + j]
             table[at] = np.maximum(table[at], np.array([off, force]))
     return table
-
-
-def event_differences(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Return the differences (n, m) of states that change at events alone.
-
-    Each is that to the nearest value of another run, which may have it at another time: an event that one run has a moment
-    before the other is a shift in time, which the states that move show.
-    """
-    nearest = [np.abs(a[:, None] - np.unique(b)).min(axis=1) for a, b in zip(one.T, other.T, strict=True)]
-    return np.stack(nearest, axis=1)
 
 
 def impact_differences(

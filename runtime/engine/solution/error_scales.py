@@ -60,16 +60,27 @@ def error(
     """Return the error of a state: the largest scaled difference of q and u, up to a shift in time.
 
     y, reference (..., ny) as recorded, or their first nq + nu entries; dy, reference_dy (..., ny) their rates, without
-    which no shift is allowed for; returns (...,). Memory (z) does not count. See `distance`.
+    which no shift is allowed for; returns (...,). Memory (z) and timers do not count. See `distance`, `event_differences`.
     """
-    n = model.nq + model.nu
-    apart = (y[..., :n] - reference[..., :n]) / scales.state[:n]
+    moving = _moving(model, model.nq + model.nu)
+    size = scales.state[moving]
+    apart = (y[..., moving] - reference[..., moving]) / size
     if dy is None or reference_dy is None:
-        largest: np.ndarray = np.max(np.abs(apart), axis=-1, initial=0.0)
-        return largest
-    first, second = (distance(apart, part[..., :n] / scales.state[:n], scales.pace)[0] for part in (dy, reference_dy))
-    least: np.ndarray = np.minimum(first, second)
-    return least
+        return _or_jumped(model, scales, y, reference, _largest(apart))
+    rates = (part[..., moving] / size for part in (dy, reference_dy))
+    return _or_jumped(model, scales, y, reference, np.minimum(*(distance(apart, f, scales.pace)[0] for f in rates)))
+
+
+def event_differences(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Return the differences (..., m) of states that change at events alone.
+
+    Each is that to the nearest value of another run, which may have it at another time: an event that one run has a moment
+    before the other is a shift in time, which the states that move show.
+    """
+    nearest = np.empty(one.shape)
+    for i in range(one.shape[-1]):
+        nearest[..., i] = np.abs(one[..., i, None] - np.unique(other[..., i])).min(axis=-1)
+    return nearest
 
 
 def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> tuple[np.ndarray, np.ndarray]:
@@ -105,7 +116,9 @@ def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> tuple[np.ndar
 
 def departure(model: EngineModel, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
     """Return the largest scaled difference of the coordinates alone."""
-    return _largest(model.nq, scales, y, reference)
+    moving = _moving(model, model.nq)
+    apart = (y[..., moving] - reference[..., moving]) / scales.state[moving]
+    return _or_jumped(model, scales, y, reference, _largest(apart))
 
 
 def rounding(model: EngineModel, scales: Scales, y: np.ndarray) -> float:
@@ -114,9 +127,24 @@ def rounding(model: EngineModel, scales: Scales, y: np.ndarray) -> float:
     return float(np.finfo(float).eps * np.max(np.abs(y[:, :n]) / scales.state[:n], initial=0.0))
 
 
-def _largest(n: int, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
-    """Return the largest scaled difference of the first n entries."""
-    largest: np.ndarray = np.max(np.abs(y[..., :n] - reference[..., :n]) / scales.state[:n], axis=-1, initial=0.0)
+def _moving(model: EngineModel, n: int) -> list[int]:
+    """Return which of the first n states move, other than timers."""
+    return [row for row in range(n) if row not in model.held and row not in model.timers]
+
+
+def _or_jumped(
+    model: EngineModel, scales: Scales, y: np.ndarray, reference: np.ndarray, moved: np.ndarray
+) -> np.ndarray:
+    """Return the errors (...,) of what moves, or of what events alone change where those are larger."""
+    held = list(model.held)
+    jumped = event_differences(y[..., held], reference[..., held]) / scales.state[held]
+    largest: np.ndarray = np.maximum(moved, _largest(jumped))
+    return largest
+
+
+def _largest(apart: np.ndarray) -> np.ndarray:
+    """Return the largest scaled difference of the last axis."""
+    largest: np.ndarray = np.max(np.abs(apart), axis=-1, initial=0.0)
     return largest
 
 

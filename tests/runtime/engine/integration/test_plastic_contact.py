@@ -13,7 +13,7 @@ import hertzwerk.derive as hd
 from hertzwerk.derive import laws
 from hertzwerk.derive.laws.law import F_m, d, d_m, d_r, h_m
 from hertzwerk.runtime import equilibrium, load, modes, simulate
-from hertzwerk.runtime.engine.run.run_difference import event_differences
+from hertzwerk.runtime.engine.solution.error_scales import event_differences
 
 RADIUS, DENSITY, MODULUS, POISSON, STRENGTH = 5e-3, 7800.0, 207e9, 0.3, 1e9
 MASS = 4 / 3 * np.pi * RADIUS**3 * DENSITY

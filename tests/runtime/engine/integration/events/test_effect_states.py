@@ -9,6 +9,7 @@ import pytest
 
 import hertzwerk.derive as hd
 from hertzwerk.runtime import simulate
+from hertzwerk.runtime.engine.solution.error_scales import departure, error
 from hertzwerk.runtime.loading import engine_model
 
 pytestmark = pytest.mark.by_turns(3)  # methods and coordinates that run the same code
@@ -226,6 +227,31 @@ def test_a_relay_on_a_plant_of_first_order(method):
     assert np.diff(turns) == pytest.approx(tau * np.log((w + h) / (w - h)), rel=tolerance)
     assert np.max(np.abs(run["slide.speed"])) == pytest.approx(h, rel=tolerance)
     assert run.energy_residual < 1e-3 if method == "cvodes" else run.energy_residual < 1e-8
+
+
+def test_an_event_a_moment_late_is_no_error_and_one_that_is_missed_is(monkeypatch):
+    """Between the instants at which two runs turn a relay it differs by a whole jump, the motion by that moment."""
+    truth, late = (relay(0.05, tolerance) for tolerance in (1e-10, 1e-7))
+    turns = [run.t[1:][np.diff(run["relay.output"]) != 0] for run in (truth, late)]
+    times = np.sort(np.append(np.mean(turns, axis=0), np.linspace(0, 1, 50)))
+
+    def off(run):
+        parts = (side.part(name) for name in ("y", "dy") for side in (run.at(times), truth.at(times)))
+        return error(run.engine.model, run.engine.scales, *parts).max()
+
+    assert off(late) < 1e-6
+    assert off(relay(0.3)) > 1  # which never turns: its output alone, 1, is one that the other has too
+    monkeypatch.setitem(late.engine.model.__dict__, "held", ())  # the seeded fault
+    assert off(late) == 2
+
+
+def test_a_countdown_is_no_error_at_the_instant_at_which_it_is_set():
+    runs = [sampled(0.01, tolerance=1e-6, method=method) for method in ("dop853", "dopri5")]
+    model, scales = runs[0].engine.model, runs[0].engine.scales
+    y, reference = (run.at(np.linspace(0.005, 0.195, 20)).part("y") for run in runs)
+    for row in (model.coordinates.index("control.countdown"), 0):
+        y[:, row] += 0.01
+        assert (departure(model, scales, y, reference).max() < 1e-5) == (row > 0)
 
 
 def test_a_relay_without_hysteresis_ends_with_what_it_has():
