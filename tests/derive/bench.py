@@ -63,12 +63,6 @@ def _compiled(expression: Any) -> tuple[list[Any], Callable[..., Any]]:
     return symbols, sp.lambdify(symbols, expression, [{"Where": _where}, "mpmath"])
 
 
-def force(name: str, depth: Any, pair: Mapping[str, str] = STEEL, **given: Any) -> Any:
-    """Elastic force [N] of a stiffness law at a penetration [m]."""
-    law = STIFFNESS[name]
-    return evaluate(law.force, numbers(law, pair, **given) | {d: mpf(depth)})
-
-
 def fast(expression: Any, values: Mapping[sp.Symbol, Any], *free: sp.Symbol) -> Callable[..., float]:
     """As a function of floats of the `free` symbols."""
     bound = expression.xreplace({s: sp.Float(x, DIGITS) for s, x in values.items() if s not in free})

@@ -3,9 +3,7 @@
 from itertools import pairwise
 
 import numpy as np
-from scipy import sparse
 from scipy.optimize import brentq
-from scipy.sparse.linalg import spsolve
 
 ETA, PIN, LENGTH, C = 0.08, 0.0099, 0.012, 1e-4  # Pa s, m
 GAUSS = np.polynomial.legendre.leggauss(120)
@@ -81,31 +79,3 @@ def by_quadrature(law, e, rate, spin_pin=0.0, spin_bush=0.0):
     around = 2 * np.pi * np.arange(2000) / 2000
     dragged = ETA * PIN**3 * LENGTH * (spin_pin - spin_bush) * np.mean(2 * np.pi / thickness(e, around))
     return np.array([*force, tilted - dragged, -force[0], -force[1], tilted + dragged])
-
-
-def by_obstacle(e, rate, length, ruptured="reynolds", around=180, along=24):
-    """Force on the pin [N] of a bearing of finite length by finite differences: cavitation by Reynolds' condition, Gumbel's, or none.
-
-    Reynolds' condition is an obstacle problem, p >= 0 and no slope where the film ends, solved by its active set.
-    """
-    angle, step, across = 2 * np.pi * np.arange(around) / around, PIN * 2 * np.pi / around, length / 2 / along
-    cubes, between = (thickness(e, angle + shift) ** 3 for shift in (0, np.pi / around))
-    ring, unit = sparse.diags([np.ones(around - 1)], [1], format="lil"), sparse.eye(around)
-    ring[around - 1, 0] = 1
-    turn = sparse.csr_matrix(ring)
-    flow = sparse.diags(between) @ (turn - unit) / step**2  # out of each cell onwards
-    sideways = sparse.diags([np.ones(along - 1), -2 * np.ones(along), np.ones(along - 1)], [-1, 0, 1], format="lil")
-    sideways[0, 0], sideways[-1, -1] = -1, -3  # symmetric in the middle; no pressure at the end, half a cell on
-    A = sparse.kron(sparse.eye(along), flow - turn.T @ flow) + sparse.kron(sideways / across**2, sparse.diags(cubes))
-    b = np.tile(source(e, rate, 0.0)[0](angle), along)
-    A, active = sparse.csr_matrix(A), np.zeros(len(b), dtype=bool)
-    while True:
-        keep = sparse.diags((~active).astype(float))
-        p = spsolve(sparse.csc_matrix(keep @ A + sparse.diags(active.astype(float))), np.where(active, 0, b))
-        now = np.where(active, A @ p - b < 0, p < 0) if ruptured == "reynolds" else active  # there the film would pull
-        if np.array_equal(now, active):
-            break
-        active = now
-    p = np.maximum(p, 0) if ruptured == "gumbel" else p
-    line = 2 * across * p.reshape(along, around).sum(axis=0)
-    return np.array([-PIN * 2 * np.pi / around * np.sum(line * side(angle)) for side in (np.cos, np.sin)])

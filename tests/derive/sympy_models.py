@@ -10,7 +10,6 @@ from sympy.physics.mechanics import (
     Point,
     ReferenceFrame,
     RigidBody,
-    System,
     dynamicsymbols,
     inertia,
 )
@@ -54,68 +53,6 @@ def rolling_disc() -> tuple[Any, dict[Any, str], dict[Any, float]]:
     method.kanes_equations([disc], [(D, -m * g * N.z)])
     units = {r: "m", m: "kg", g: "m/s^2"} | dict.fromkeys(q, "rad") | dict.fromkeys(u, "rad/s")
     return method, units, {r: 0.3, m: 2, g: 9.81}
-
-
-def bicycle() -> tuple[Any, dict[Any, str], dict[Any, float]]:
-    """Whipple's bicycle as a System: Meijaard et al., Proc. R. Soc. A 463 (2007) 1955, table 1; z points up here.
-
-    The rear wheel stands on its lowest point (x, y); the front wheel's height and both rims' slip are constraints.
-    """
-    t = dynamicsymbols._t
-    q = x, y, yaw, lean, pitch, steer, rear, front = dynamicsymbols("x y yaw lean pitch steer rear front")
-    u = dynamicsymbols("ux uy uyaw ulean upitch usteer urear ufront")
-    w, c, tilt, rr, rf = sp.symbols("w c tilt rr rf")
-    units = {w: "m", c: "m", tilt: "rad", rr: "m", rf: "m", g: "m/s^2", x: "m", y: "m"} | dict.fromkeys(q[2:], "rad")
-    values = {w: 1.02, c: 0.08, tilt: sp.pi.evalf(17) / 10, rr: 0.3, rf: 0.35, g: 9.81}
-    N, O = ReferenceFrame("N"), Point("O")
-    O.set_vel(N, 0)
-    H = N.orientnew("H", "Axis", (yaw, N.z))
-    L = H.orientnew("L", "Axis", (lean, H.x))
-    B = L.orientnew("B", "Axis", (pitch, L.y))  # the frame, its axes upright where it stands
-    axis = -sp.sin(tilt) * B.x + sp.cos(tilt) * B.z
-    F = B.orientnew("F", "Axis", (steer, axis))
-    RW, FW = B.orientnew("RW", "Axis", (rear, B.y)), F.orientnew("FW", "Axis", (front, F.y))
-    hub = O.locatenew("hub", x * N.x + y * N.y + rr * L.z)
-    hub.set_vel(N, hub.pos_from(O).dt(N))
-    head = hub.locatenew("head", (w + c) * B.x - rr * B.z)
-    head.v2pt_theory(hub, N, B)
-    tip = head.locatenew("tip", -c * F.x + rf * F.z)
-    tip.v2pt_theory(head, N, F)
-
-    def body(name: str, frame: Any, at: Any, mass: float, moments: tuple[float, ...]) -> Any:
-        m = sp.Symbol(f"m_{name}")
-        ends = [sp.Symbol(f"{name}_{end}") for end in ("xx", "yy", "zz", "xz")]
-        units.update({m: "kg"} | dict.fromkeys(ends, "kg m^2"))
-        values.update({m: mass} | dict(zip(ends, moments, strict=True)))
-        return RigidBody(name, at, frame, m, (inertia(frame, *ends[:3], 0, 0, ends[3]), at))
-
-    def centre(name: str, start: Any, frame: Any, along: float, up: float, other: Any) -> Any:
-        a, b = sp.symbols(f"{name}_x {name}_z")
-        units.update({a: "m", b: "m"})
-        values.update({a: along, b: up})
-        at = start.locatenew(f"{name}_centre", a * frame.x + b * frame.z + other)
-        at.v2pt_theory(start, N, frame)
-        return at
-
-    bodies = [
-        body("rear_wheel", RW, hub, 2, (0.0603, 0.12, 0.0603, 0)),
-        body("frame", B, centre("frame", hub, B, 0.3, 0.9, -rr * B.z), 85, (9.2, 11, 2.8, -2.4)),
-        body("fork", F, centre("fork", head, F, 0.9, 0.7, -(w + c) * F.x), 4, (0.05892, 0.06, 0.00708, 0.00756)),
-        body("front_wheel", FW, tip, 3, (0.1405, 0.28, 0.1405, 0)),
-    ]
-    down = N.z - N.z.dot(F.y) * F.y
-    down = -down / sp.sqrt(1 - N.z.dot(F.y) ** 2)
-    slips = [hub.vel(N) + RW.ang_vel_in(N).cross(-rr * L.z), tip.vel(N) + FW.ang_vel_in(N).cross(rf * down)]
-    system = System(N, O)
-    system.add_coordinates(*q)
-    system.add_speeds(*u)
-    system.add_kdes(*(a.diff(t) - b for a, b in zip(q, u, strict=True)))
-    system.add_bodies(*bodies)
-    system.apply_uniform_gravity(-g * N.z)
-    system.add_holonomic_constraints(tip.pos_from(O).dot(N.z) + rf * down.dot(N.z))
-    rates = {a.diff(t): b for a, b in zip(q, u, strict=True)}
-    system.add_nonholonomic_constraints(*(slip.dot(way).xreplace(rates) for slip in slips for way in (N.x, N.y)))
-    return system, units, {symbol: float(value) for symbol, value in values.items()}
 
 
 def cart(n: int) -> tuple[Any, Any, dict[Any, str], dict[Any, float]]:

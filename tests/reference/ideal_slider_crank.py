@@ -10,16 +10,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 
-def rod_angle(phi: ArrayLike, r: float, l: float) -> np.ndarray:
-    """Absolute rod angle theta [rad], the branch with the slider outside."""
-    return -np.arcsin(r / l * np.sin(phi))
-
-
-def rod_speed(phi: ArrayLike, w: float, r: float, l: float) -> np.ndarray:
-    """theta' [rad/s] = -r w cos phi/(l cos theta)."""
-    return -r * w * np.cos(phi) / (l * np.cos(rod_angle(phi, r, l)))
-
-
 def position(phi: ArrayLike, r: float, l: float) -> np.ndarray:
     """Slider position x [m]."""
     return r * np.cos(phi) + np.sqrt(l**2 - (r * np.sin(phi)) ** 2)

@@ -10,8 +10,6 @@ from bodies_on_planes import body_of
 from reference.body_on_plane import HYSTERESIS_FACTORS, SOURCE, Body, motions, program
 
 pytestmark = pytest.mark.exhaustive  # the oracle is C of its own, compiled several times
-
-GRAVITY = 9.81
 BALL = Body(
     plane=True,
     damping="elastic",

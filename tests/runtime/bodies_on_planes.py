@@ -100,12 +100,6 @@ def model(plane: bool, damping: str, exponent: float, friction: str):
     )
 
 
-def bodies(count: int, seed: int = SEED) -> Iterator[Body]:
-    """Yield bodies in plane motion and in space by turns; see the comments for the ranges."""
-    for i in range(count):
-        yield body_of(i, seed)
-
-
 def body_of(i: int, seed: int = SEED) -> Body:
     """Return one of them."""
     return _body(np.random.default_rng((seed, i)), plane=i % 2 == 0)

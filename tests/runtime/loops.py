@@ -4,7 +4,6 @@ import mpmath
 import numpy as np
 
 import hertzwerk.derive as hd
-from hertzwerk.derive.scenes.spatial_slider_crank import scene as with_clearance
 
 
 def four_bar(crank: float, coupler: float, rocker: float, base: float, *drive: float, **start) -> hd.Scene:
@@ -64,19 +63,6 @@ def turned(windows: int, t: float) -> float:
         turns = mpmath.nint(u / period)
         s, c = (mpmath.re(mpmath.ellipfun(f)(u - turns * period, m=m)) for f in ("sn", "cn"))
         return float(-2 * (mpmath.atan2(s, c) + turns * mpmath.pi))
-
-
-def spatial_crank() -> hd.Scene:
-    """The spatial slider-crank, its ball joint without clearance and its crank let go at 6 rad/s."""
-    given, arm = with_clearance.mechanism, hd.Parameter("crank_length", "m", 0.08)
-    (ball,) = given.pairs
-    joints = (*given.joints, hd.Spherical("crank_ball", ball.socket, ball.ball))
-    effects = tuple(effect for effect in with_clearance.effects if isinstance(effect, (hd.Gravity, hd.EnergyLedger)))
-    pace = hd.Parameter("start_speed", "rad/s", 6)
-    start = hd.Start(with_clearance.start.position, {"main_bearing": pace})
-    return hd.Scene(
-        hd.Mechanism("spatial_crank", joints), effects, hd.Scales(arm, arm * pace, with_clearance.scales.arm), start
-    )
 
 
 def open_by(run) -> float:

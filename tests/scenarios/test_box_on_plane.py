@@ -155,42 +155,6 @@ def test_the_other_corner_leaves_a_rocking_block_housners_part_of_its_speed(rock
     assert np.sqrt(1 - (before - after) / kinetic) == pytest.approx(1 - 1.5 * np.sin(slender) ** 2, abs=2e-4)
 
 
-@pytest.mark.exhaustive
-@pytest.mark.parametrize("z", [None, D])
-def test_a_box_stands_on_a_box(z):
-    """Eight or sixteen corners: the lower box's carry both weights, the upper one's theirs, and what fell rests."""
-    lower, upper = (
-        hd.Body(name, hd.Parameter(f"m_{name}", "kg", mass), hd.Parameter(f"J_{name}", "kg m^2", 0.02))
-        for name, mass in (("lower", 3), ("upper", 2))
-    )
-    pairs = (
-        hd.BoxOnPlane("floor", lower.at(0, 0, 0), W, H, hd.GROUND.at(0, 0, 0), hd.Y, z=z),
-        hd.BoxOnPlane("deck", upper.at(0, 0, 0), W, W, lower.at(0, H / 2, 0), hd.Y, z=z),
-    )
-    law = hd.laws.power(STIFFNESS, 1), hd.laws.hunt_crossley(hd.Parameter("e", "1", 0.3))
-    height = {"low.y": H / 2 + hd.Parameter("drop", "mm", 1), "high.y": H + W / 2 + hd.Parameter("second", "mm", 3)}
-    scene = hd.Scene(
-        hd.Mechanism("stack", (hd.Planar("low", hd.GROUND, lower), hd.Planar("high", hd.GROUND, upper)), pairs),
-        (
-            hd.Gravity("gravity", hd.Parameter("g", "m/s^2", G), -hd.Y),
-            hd.Contact("floor", *law),
-            hd.Contact("deck", *law),
-            hd.EnergyLedger(),
-        ),
-        hd.Scales(length=hd.Parameter("size", "mm", 1), speed=hd.Parameter("pace", "m/s", 0.1), arm=W),
-        hd.Start(position=height),
-    )
-    model = load(scene)
-    assert len(model.pairs) == (16 if z else 8)
-    below = (1, 2, 5, 6) if z else (1, 2)
-    run = simulate(model, duration="0.3 s", tolerance=1e-6)
-    assert run.outcome.finished
-    assert run.energy_residual < 1e-5
-    forces = run.at(np.linspace(0.25, 0.3, 200))
-    assert np.mean(sum(forces[f"floor_{i}.normal_force"] for i in below)) == pytest.approx(5 * G, rel=2e-2)
-    assert np.mean(sum(forces[f"deck_{i}.normal_force"] for i in below)) == pytest.approx(2 * G, rel=2e-2)
-
-
 # -- the declaration ---------------------------------------------------------------------------------------------------
 
 

@@ -124,13 +124,6 @@ def kinematic_gain(eccentricity):
     return float(gain) * (1 + 2 * (np.pi / 720) ** 2)
 
 
-def test_kinematic_gain():
-    """Search and closed form: between the gain at no eccentricity and the bound of the mean value theorem."""
-    for eccentricity in (5e-6, 6e-4):
-        assert kinematic_gain(eccentricity) <= ideal.gain(R, L, eccentricity) * (1 + 1e-4)
-        assert kinematic_gain(eccentricity) == pytest.approx(1 / np.sqrt(1 - (R / L) ** 2), rel=5e-3)
-
-
 @pytest.mark.parametrize("clearance", FLUCTUATION)
 @pytest.mark.parametrize("scene", SCENES)
 def test_the_slider_stays_within_the_kinematic_gain_of_the_ideal_one(scene, clearance):

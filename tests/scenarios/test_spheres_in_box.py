@@ -57,26 +57,6 @@ def test_the_scenario_expects_the_forces_of_statics():
         assert float(expected[f"final.{quantity}.normal_force"].removesuffix(" N")) == pytest.approx(force, rel=3e-6)
 
 
-@pytest.mark.exhaustive  # of five spheres the scenario is run in CI
-def test_a_heap_falls_settles_and_rests():
-    """No two spheres pass through each other on the way, each is in equilibrium at the end, and the ledger closes."""
-    n, width = 8, 0.1
-    run = simulate(load(scenes.spheres_in_box(n)), duration="2 s", tolerance=1e-6)
-    assert run.outcome.finished, run
-    assert len(run.impacts) > 2 * n
-    starts = places(run, n, [0.0])[0]
-    energy = WEIGHT * np.sum(starts[:, 1])  # all of it in one contact, 2/5 K d^2.5, is the deepest that there can be
-    deepest = max(forces_of(centres, width)[1] for centres in places(run, n, np.linspace(0, 2, 2001)))
-    assert 0 < deepest < (2.5 * energy / K) ** 0.4
-    end, (centres,) = run.at([2.0]), places(run, n, [2.0])
-    balance = forces_of(centres, width)[0] - [0, WEIGHT, 0]
-    assert np.abs(balance).max() < 1e-3 * WEIGHT
-    assert pressing(end, "floor", n) == pytest.approx(n * WEIGHT, rel=1e-3)
-    assert pressing(end, "wall_1", n) == pytest.approx(pressing(end, "wall_2", n), rel=1e-3)
-    assert pressing(end, "wall_3", n) == pytest.approx(pressing(end, "wall_4", n), rel=1e-3)
-    assert run.energy_residual < 1e-4
-
-
 @pytest.mark.exhaustive
 def test_a_hundred_spheres_come_to_rest():
     """5,450 pairs, of which those that are near are listed; equilibrium by the positions of all, so that a pair that was missed shows."""

@@ -196,13 +196,6 @@ def test_a_wrong_step_of_the_derivation_is_refused_by_name(label, monkeypatch):
     assert "nothing written" in str(error)
 
 
-def test_seeding_nothing_changes_nothing(monkeypatch):
-    before = generate(slider_crank)
-    for owner, name, *_ in SEEDED.values():
-        seed(monkeypatch, owner, name, lambda f, self, *args: f(self, *args))
-    assert generate(slider_crank) == before
-
-
 @pytest.mark.parametrize("name", ["bouncing_ball", "two_spheres"])
 def test_no_assignment_can_be_wrong_unnoticed(name):
     """Every assignment of a program in turn times a length: the audit must find it, there or where it ends up."""

@@ -72,15 +72,6 @@ def test_inconsistent(text, expect, part, one, other):
         assert quoted in finding.sentence
 
 
-@each(("text", "expect", "part", "one", "other"), INCONSISTENT)
-def test_nothing_smaller_is_at_fault(text, expect, part, one, other):
-    """Every operand of the sub-expression quoted has a unit by itself."""
-    expression = read(part)
-    for arg in expression.root.args:
-        if arg.op != "inf" and expression.quote(arg) != part:  # a link of a chain of comparisons quotes the chain
-            assert audit_expression(expression.quote(arg), UNITS).verdict == "consistent"
-
-
 # --- what is written, and SymPy -------------------------------------------------------------------------------------
 
 SYMBOLS = {name: sp.Symbol(name, real=True) for name in UNITS}

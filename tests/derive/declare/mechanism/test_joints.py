@@ -3,43 +3,8 @@
 import numpy as np
 import pytest
 from derived import Derived
-from kane import TURNED, Tree, line, link
 
 import hertzwerk.derive as hd
-
-TREES = {
-    "cylindrical": line("C-Y"),
-    "planar": line("L+Z"),
-    "planar across X, then a slide": line("L-X", "P+Y"),
-    "universal": line("U+X", second="-Z"),
-    "universal, axes not square": line("U+X", second=(1.0, 2.0, -0.5)),
-    "spherical": line("S"),
-    "spherical on an arm": line("R+Z", "S"),
-    "spherical in turned axes": line("S", turned=TURNED),
-    "free": line("F"),
-    "free, carrying": line("F", "R+Y"),
-    "free on an arm, turned": line("R-X", "F", turned=TURNED),
-    "welds": line("W", "R+Z", "W", "C+Z", turned=TURNED),
-    "two balls": line("S", "S"),
-    "skew axis": Tree((link("R", (1.0, 2.0, -1.0), -1, 5),)),
-    "skew axes, turned": Tree((link("R", (1.0, 2.0, -1.0), -1, 5, turned=TURNED), link("C", (0.0, 1.0, 1.0), 0, 6))),
-    "turned in the plane": line("R+Z", "R-Z", "P+X", turned=(("+Z", 0.4), ("-Z", 0.7)), plane=True),
-    "universal in turned axes": line("U-Z", second="-Y", turned=(("+X", -0.9), None)),
-    "skew after turned": Tree((link("R", "+Z", -1, 5, turned=TURNED), link("R", (1.0, 0.0, 1.0), 0, 6, turned=TURNED))),
-    "driven, then a ball": Tree((link("R", "+Z", -1, 7, speed=2.0), link("S", "+X", 0, 8))),
-}
-
-
-def rows(tree, force):
-    """Generalised forces in the order of the contract: free rows, then driven ones."""
-    return np.concatenate([force[tree.free], force[tree.driven]])
-
-
-@pytest.fixture(scope="module")
-def derived():
-    made = {}
-    return lambda name: made.setdefault(name, None) or made.update({name: Derived(TREES[name].scene())}) or made[name]
-
 
 # -- against textbooks -------------------------------------------------------------------------------------------------
 

@@ -1,12 +1,8 @@
 """The committed modules are what the scenes derive to, the same everywhere; and nothing for nothing."""
 
 import ast
-import os
 import re
-import subprocess
-import sys
 from functools import cache
-from hashlib import sha256
 from importlib import import_module
 from pathlib import Path
 
@@ -42,26 +38,6 @@ def regenerated(name):
 def test_every_built_in_scene_has_its_module_and_nothing_else_is_there():
     assert {file.stem for file in GENERATED.glob("*.py")} - {"__init__"} == set(NAMES)
     assert [scene_from(name).name for name in NAMES] == list(NAMES)
-
-
-@pytest.mark.exhaustive  # in CI every process has a seed of its own, that of `derive --check` too
-@pytest.mark.parametrize("seed", ["0", "4711"])
-def test_the_text_is_the_same_for_every_hash_seed(seed):
-    program = (
-        "from importlib import import_module; from hashlib import sha256; from hertzwerk.derive import generate\n"
-        f"for name in {NAMES!r}:\n"
-        "    scene = import_module('hertzwerk.derive.scenes.' + name).scene\n"
-        "    print(name, sha256(generate(scene, f'derive/scenes/{name}.py').encode()).hexdigest())\n"
-    )
-    out = subprocess.run(
-        [sys.executable, "-c", program],
-        env={**os.environ, "PYTHONHASHSEED": seed},
-        check=True,
-        capture_output=True,
-        text=True,
-    )
-    here = [f"{name} {sha256(regenerated(name).encode()).hexdigest()}" for name in NAMES]
-    assert out.stdout.splitlines() == here
 
 
 # calls by which a module of kinds finds the function of a kind and places its rows
@@ -225,9 +201,6 @@ def test_functions_return_what_the_tables_say(name):
 
 
 # -- nothing for nothing -----------------------------------------------------------------------------------------------
-
-
-EFFECTS = [(name, effect.name) for name in NAMES for effect in scene_from(name).effects]
 SCENES = Path(import_module("hertzwerk.derive.scenes").__file__).parent
 QUICK = ("bouncing_ball", "two_spheres", "ball_between_walls", "slider_crank", "journal_in_bearing", "ball_in_socket")
 

@@ -231,12 +231,6 @@ def test_energy_changes_by_the_power_of_the_other_forces_and_the_drives(name):
 # -- contact forces against virtual work -------------------------------------------------------------------------------
 
 
-def many(*kinds, parents=None):
-    """Bodies on joints of these kinds, on the ground unless `parents` says otherwise."""
-    links = random_tree(" ".join(["R+Z"] * len(kinds)), 53, parents or [-1] * len(kinds)).links
-    return Tree(tuple(replace(link, kind=kind, second="+X") for link, kind in zip(links, kinds, strict=True)))
-
-
 # -- the slider-crank, derived by hand ---------------------------------------------------------------------------------
 
 

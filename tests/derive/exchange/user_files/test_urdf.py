@@ -91,43 +91,6 @@ def test_mass_matrices_of_public_robots_by_a_second_derivation(tmp_path):
             assert np.abs(mass_matrix(model, q, u) - expected).max() < 1e-13 * np.abs(expected).max(), name
 
 
-@pytest.mark.exhaustive
-@pytest.mark.parametrize("name", ROBOTS)
-def test_mass_matrix_and_accelerations_against_pinocchio(tmp_path, name):
-    pin = pytest.importorskip("pinocchio")  # pip install pin
-    robot, rows = robot_of(tmp_path, name)
-    floating = name == "solo"
-    model = engine_model(
-        robot.scene(GRAVITY, hd.EnergyLedger(), scales=SCALES).without(*(e.name for e in robot.effects))
-    )
-    base = [pin.JointModelFreeFlyer()] if floating else []
-    theirs = pin.buildModelFromUrdf(str(tmp_path / "robot.urdf"), *base)
-    data = theirs.createData()
-    places = [theirs.joints[theirs.getJointId(row.joint)].idx_v for row in rows if row.kind == "revolute"]
-    accelerations = model.function("accelerations")
-    for seed in range(5):
-        q, u = state_of(robot, seed)
-        # theirs has a quaternion with its scalar last, and speeds of the base in its own axes
-        qs, us, S = np.zeros(theirs.nq), np.zeros(theirs.nv), np.zeros((theirs.nv, theirs.nv))
-        first = 6 if floating else 0
-        if floating:
-            R = Rotation.from_quat(np.roll(q[3:7], -1)).as_matrix()
-            qs[:7], S[:3, :3], S[3:6, 3:6] = np.concatenate([q[:3], np.roll(q[3:7], -1)]), R.T, np.eye(3)
-        for k, place in enumerate(places):
-            qs[place + floating], S[place, first + k] = q[first + floating + k], 1
-        us = S @ u
-        M = pin.crba(theirs, data, qs)
-        M = S.T @ (np.triu(M) + np.triu(M, 1).T) @ S
-        assert np.abs(mass_matrix(model, q, u) - M).max() < 1e-12 * np.abs(M).max()
-        c = model.bind().c
-        a = np.array(accelerations(0, q, u, model.function("applied")(0, q, u, c), c)[0]).ravel()
-        expected = pin.aba(theirs, data, qs, us, np.zeros(theirs.nv))
-        if floating:  # d(R^T v)/dt = R^T v' - w x R^T v
-            expected[:3] += np.cross(us[3:6], us[:3])
-        # forces of inertia, as accelerations lose digits by the condition of M
-        assert np.abs(M @ (a - np.linalg.solve(S, expected))).max() < 1e-12 * np.abs(M @ a).max() + 1e-12 * 9.81
-
-
 LINK = (
     '<link name="{}"><inertial><origin xyz="{}" rpy="{}"/><mass value="2"/>'
     '<inertia ixx="0.02" iyy="0.03" izz="0.04" ixy="0.001" ixz="0.002" iyz="0.003"/></inertial>{}</link>'

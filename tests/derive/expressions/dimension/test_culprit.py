@@ -13,7 +13,6 @@ from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import GEOMETRY, STATE, Quantity
 
 SEEDS = ("m", "1/m", "s", "kg", "1/s", "m^0.5", "1/N")
-CONSISTENT = [law for law in LAWS.values() if law.verdict == "consistent"]
 
 
 def with_unit(law, symbol, unit):
@@ -66,14 +65,6 @@ def test_a_wrong_unit_is_named_first_in_each_of_some_laws():
     actual, count = share(laws, SEEDS[:2])
     assert count > 30
     assert actual == 1.0
-
-
-@pytest.mark.exhaustive
-def test_a_wrong_unit_is_named_first_over_the_whole_catalogue():
-    """Of the seeded units that are seen at all: a factor that cancels is not. Takes minutes."""
-    actual, count = share(CONSISTENT, SEEDS)
-    assert count > 1500
-    assert actual > 0.99
 
 
 CUBIC = """

@@ -6,7 +6,7 @@ from each import each
 from evidence import EVIDENCE
 from known import INDEPENDENT
 from mpmath import mp
-from mutate_laws import constants, survivors
+from mutate_laws import survivors
 
 from hertzwerk.derive.laws import LAWS
 
@@ -40,13 +40,6 @@ def test_a_grade_says_what_is_really_there(name):
 @pytest.mark.parametrize("name", ["radzimovsky", "persson", "hertz_cylinder"])
 def test_wrong_line_laws_are_noticed(name):
     """The three that no test saw: here every constant, by 1 %."""
-    assert not list(survivors(name))
-
-
-@pytest.mark.exhaustive
-@pytest.mark.parametrize("name", LAWS)
-def test_each_constant_changed_by_one_percent_is_noticed(name):
-    assert list(constants(LAWS[name])) or name in ("coulomb", "power_damping", "ristow")  # which have none
     assert not list(survivors(name))
 
 

@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 import pytest
 from derived import Derived
-from film import ETA, LENGTH, PIN, C, by_obstacle, by_quadrature
+from film import ETA, LENGTH, PIN, C, by_quadrature
 
 import hertzwerk.derive as hd
 from hertzwerk.derive.audit.audit import InconsistentUnits
@@ -118,64 +118,6 @@ def test_half_sommerfeld_and_ocvirk(eps):
             petroff = 2 * np.pi * ETA * PIN**3 * LENGTH * w / (C * q)
             assert got[2] == pytest.approx(-petroff - eps * C / 2 * unit * tangential, rel=1e-10)
             assert got[5] == pytest.approx(petroff - eps * C / 2 * unit * tangential, rel=1e-10)
-
-
-@pytest.mark.parametrize("motion", ["whirl", "squeeze", "opening"])
-def test_reynolds_condition_and_gumbels_are_one_in_the_short_bearing(motion):
-    """Bearings of finite length by finite differences: the shorter, the less the conditions differ, and both are the law's."""
-    e, rate, *_ = MOTIONS[motion]
-    differences = []
-    for length in (PIN / 4, PIN / 8):
-        reynolds, gumbel = (by_obstacle(e, rate, length, ruptured) for ruptured in ("reynolds", "gumbel"))
-        expected = by_quadrature("short_bearing", e, rate)[:2] * (length / LENGTH) ** 3
-        size = np.hypot(*expected)
-        differences.append(np.hypot(*(reynolds - gumbel)) / size)
-        assert np.hypot(*(reynolds - expected)) < 0.5 * (length / PIN) ** 1.5 * size
-    assert differences[0] < 0.05 and differences[1] < max(differences[0] / 2.5, 1e-4)  # that of the grid
-    none = by_obstacle(e, rate, PIN / 8, "none")  # both halves
-    both = by_quadrature("short_bearing", e, rate)[:2] - by_quadrature("short_bearing", e, -np.array(rate))[:2]
-    assert none == pytest.approx(both * (PIN / 8 / LENGTH) ** 3, rel=0.02, abs=0.02 * size)
-
-
-def test_reynolds_condition_leaves_a_long_bearing_its_full_film():
-    """Fed at its ends, whose part of the force falls as one over the length: the rest, extrapolated, is Sommerfeld's."""
-    e, rate, *_ = MOTIONS["whirl"]
-    shorter, longer = (by_obstacle(e, rate, n * PIN, around=80, along=48) / n for n in (16, 32))
-    full, half = (resultants(law, e, rate)[:2] * PIN / LENGTH for law in ("long_bearing_full", "long_bearing"))
-    size = np.hypot(*full)
-    assert np.hypot(*(2 * longer - shorter - full)) < min(0.03 * size, 0.25 * np.hypot(*(longer - full)))
-    assert np.hypot(*(2 * longer - shorter - half)) > 0.3 * size
-
-
-@pytest.mark.parametrize("law", ["short_bearing", "long_bearing"])
-def test_a_full_film_pulls_as_much_as_it_pushes(law):
-    """Without cavitation the force of a motion is that of its half, less that of the opposite motion."""
-    e, rate = (3e-5, -6e-5), np.array([0.02, 0.05])
-    full = resultants(f"{law}_full", e, rate, 300.0, 100.0)
-    assert full[:2] == pytest.approx(-resultants(f"{law}_full", e, -rate, -300.0, -100.0)[:2], rel=1e-12)
-    halves = by_quadrature(law, e, rate, 300.0, 100.0) - by_quadrature(law, e, -rate, -300.0, -100.0)
-    assert full[:2] == pytest.approx(halves[:2], rel=1e-9)
-
-
-@pytest.mark.parametrize("eps", [0.0, 0.3, 0.8])
-def test_the_two_halves_of_a_squeeze_make_the_full_film(eps):
-    """Closing and opening together are the full film: pi (1 + 2 eps^2)/(1 - eps^2)^5/2, and 12 pi/(1 - eps^2)^3/2."""
-    full = {
-        "short_bearing": ETA * PIN * LENGTH**3 / C**3 * np.pi * (1 + 2 * eps**2) / (1 - eps**2) ** 2.5,
-        "long_bearing": ETA * PIN**3 * LENGTH / C**3 * 12 * np.pi / (1 - eps**2) ** 1.5,
-    }
-    for law, expected in full.items():
-        closing, opening = (resultants(law, (eps * C, 0), (rate, 0))[0] for rate in (0.01, -0.01))
-        assert opening - closing == pytest.approx(0.01 * expected, rel=1e-10)
-        assert -closing > 0 < opening
-
-
-def test_a_whirl_at_half_the_speed_is_not_resisted():
-    """At half the sum of the spins the pin rolls with the film: no wedge, no squeeze, no force."""
-    e = np.array([3e-5, 5e-5])
-    for law in ("short_bearing", "long_bearing"):
-        got = resultants(law, e, (-e[1] * 80, e[0] * 80), 100.0, 60.0)
-        assert np.abs(got[:2]).max() < 1e-12 * np.abs(resultants(law, e, (0, 0), 100.0, 60.0)[:2]).max()
 
 
 # -- regular everywhere ------------------------------------------------------------------------------------------------

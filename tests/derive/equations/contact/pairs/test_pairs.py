@@ -8,11 +8,11 @@ import sympy as sp
 from derived import Derived, rate_along
 from each import each
 from kane import Tree, driven, random_tree
-from touching import MU, V0, Touching
+from touching import V0, Touching
 
 import hertzwerk.derive as hd
 from hertzwerk.derive.expressions.parameter import default_value
-from hertzwerk.derive.laws import hertz_point, power, smooth_coulomb
+from hertzwerk.derive.laws import hertz_point, power
 
 LENGTH = 0.8  # of a bounded face
 OFF = (0.1, -0.2, 0.15)  # of a knob
@@ -213,9 +213,6 @@ SIZE, PACE = hd.Parameter("size", "m", 0.1), hd.Parameter("pace", "m/s", 1)
 MASS = hd.Parameter("mass", "kg", 1)
 STIFF = power(hd.Parameter("K", "N/m^1.5", 1e8), 1.5)
 BLOCK = hd.Body("block", MASS, hd.Parameter("J", "kg m^2", 0.01))
-
-
-RUB = hd.Friction("rub", "touch", smooth_coulomb(hd.Parameter("mu", "1", MU), hd.Parameter("v_s", "m/s", 0.1)))
 
 
 def scene(pair, joint=None, effects=None):
