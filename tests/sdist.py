@@ -11,14 +11,9 @@ class WithTests(sdist):
         for folder in ("tests", ".ci", ".github", ".readme"):
             self.filelist.graft(folder)
         for text in (
-            "derive/README.md",
-            "derive/*/README.md",
-            "runtime/README.md",
-            "C*.md",
-            "CITATION.cff",
-            ".gitignore",
+            "derive/README.md", "derive/*/README.md", "runtime/README.md", "C*.md", "CITATION.cff", ".gitignore",
             ".pre-commit-*.yaml",
-        ):
+        ):  # fmt: skip
             self.filelist.include(text)
         self.filelist.global_exclude("__pycache__/*")
         self.filelist.global_exclude("*.py[co]")

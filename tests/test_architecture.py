@@ -408,14 +408,9 @@ def test_a_name_stands_for_one_concept():
 
 def test_a_repeated_name_would_be_found():
     paths = [
-        "derive/a/x.py",
-        "runtime/b/x.py",
-        "runtime/c/y.py",
-        "derive/d/y/v.py",
-        "derive/f/e/w.py",
-        "runtime/e/u.py",
+        "derive/a/x.py", "runtime/b/x.py", "runtime/c/y.py", "derive/d/y/v.py", "derive/f/e/w.py", "runtime/e/u.py",
         "derive/g/g.py",
-    ]
+    ]  # fmt: skip
     assert repeated([ROOT / path for path in paths]) == {"x", "y", "e"}
 
 

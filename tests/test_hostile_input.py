@@ -89,15 +89,10 @@ def mutated(rng: random.Random, seeds: list[str]) -> str:
     if kind < 0.2:
         opening, closing = rng.choice(
             [
-                ("cos(", "*pi/7)"),
-                ("min(d,", ")"),
-                ("(", ")"),
-                ("[", "]"),
-                ("max(h, min(d, n,", "), 1)"),
-                ("-", ""),
+                ("cos(", "*pi/7)"), ("min(d,", ")"), ("(", ")"), ("[", "]"), ("max(h, min(d, n,", "), 1)"), ("-", ""),
                 ("{a=", "}"),
             ]
-        )
+        )  # fmt: skip
         depth = rng.choice([3, 10, 18, 40, 100, 1000])
         return opening * depth + text[: rng.choice([10, 2000])] + closing * depth
     for _ in range(rng.randrange(1, 6)):
@@ -267,18 +262,9 @@ ODD: list[Any] = [
     {"mass": Unspeakable()}, {"mass": 10**5000}, {"mass": ("1", "kg")}, {"mass": (1, 2, 3)}, {Unspeakable(): 1},
 ]  # fmt: skip
 ARGUMENTS = (
-    "duration",
-    "accuracy",
-    "tolerance",
-    "method",
-    "parameters",
-    "initial",
-    "grid",
-    "compiled",
-    "max_steps",
-    "max_events",
-    "wall_time",
-)
+    "duration", "accuracy", "tolerance", "method", "parameters", "initial", "grid", "compiled", "max_steps",
+    "max_events", "wall_time",
+)  # fmt: skip
 
 
 @pytest.mark.parametrize("name", ARGUMENTS)

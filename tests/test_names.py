@@ -65,17 +65,12 @@ def test_a_type_checker_sees_what_the_names_are(tmp_path):
     environment = {"MYPY_CACHE_DIR": str(tmp_path / "cache")} | dict(os.environ)  # what .ci/run has read of the package
     printed = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300).stdout
     for expected in (
-        "-> hertzwerk.derive.declare.scene.scene.Scene",
-        "(name: str, parent: ",
-        "hertzwerk.derive.laws.catalogue.Catalogue",
-        "-> hertzwerk.runtime.loading.Model",
-        "-> hertzwerk.runtime.simulation.Solution",
-        "def (e: ",
-        '"hertzwerk.derive.laws.law.BoundLaw"',
-        'error: Unexpected keyword argument "q"',
-        'error: Module "hertzwerk.derive" has no attribute "Nothing"',
+        "-> hertzwerk.derive.declare.scene.scene.Scene", "(name: str, parent: ",
+        "hertzwerk.derive.laws.catalogue.Catalogue", "-> hertzwerk.runtime.loading.Model",
+        "-> hertzwerk.runtime.simulation.Solution", "def (e: ", '"hertzwerk.derive.laws.law.BoundLaw"',
+        'error: Unexpected keyword argument "q"', 'error: Module "hertzwerk.derive" has no attribute "Nothing"',
         "Found 2 errors",
-    ):
+    ):  # fmt: skip
         assert expected in printed, printed
 
 
@@ -143,15 +138,11 @@ def test_parameters_and_locals_say_what_they_are(side):
 @pytest.mark.parametrize(
     "text",
     [
-        "def f(what): pass",
-        "def f(*, expected, **given): pass",
-        "x = [found for found in y]",
-        "def f():\n    for a, (b, seen) in c: pass",
-        "def f():\n    if (kept := g()): return kept",
-        "def f():\n    def told(): pass",
-        "x = lambda found: found[0]",
+        "def f(what): pass", "def f(*, expected, **given): pass", "x = [found for found in y]",
+        "def f():\n    for a, (b, seen) in c: pass", "def f():\n    if (kept := g()): return kept",
+        "def f():\n    def told(): pass", "x = lambda found: found[0]",
     ],
-)
+)  # fmt: skip
 def test_a_local_that_is_a_riddle_is_found(text):
     assert len(riddles_within(text)) == 1
     assert riddles_within("def fault(where, found, expected): return Fault(where, found, expected)") == []

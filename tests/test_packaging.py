@@ -14,16 +14,9 @@ import pytest
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("derive", "generated", "runtime")
 ALONE = (
-    "pyproject.toml",
-    "README.md",
-    "CONTRIBUTING.md",
-    "CHANGELOG.md",
-    "CITATION.cff",
-    "LICENSE",
-    ".gitignore",
-    ".pre-commit-config.yaml",
-    ".pre-commit-hooks.yaml",
-)
+    "pyproject.toml", "README.md", "CONTRIBUTING.md", "CHANGELOG.md", "CITATION.cff", "LICENSE", ".gitignore",
+    ".pre-commit-config.yaml", ".pre-commit-hooks.yaml",
+)  # fmt: skip
 TOP = "runtime/cli/package/"  # installed as hertzwerk/
 
 

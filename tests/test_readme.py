@@ -171,20 +171,11 @@ def test_the_picture_of_all_mechanisms_has_them_all():
 
 INNER = {  # of which people write none
     *(
-        "Element",
-        "Effect",
-        "JointEffect",
-        "PairEffect",
-        "Joint",
-        "Pair",
-        "Touch",
-        "Freedom",
-        "Interval",
-        "Finding",
+        "Element", "Effect", "JointEffect", "PairEffect", "Joint", "Pair", "Touch", "Freedom", "Interval", "Finding",
         "Fault",
     ),
     *("BoundLaw", "Quantity", "Slot", "Varying"),
-}
+}  # fmt: skip
 DECLARED = [
     kind
     for kind in (getattr(hertzwerk.derive, name) for name in dir(hertzwerk.derive))

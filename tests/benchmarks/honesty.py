@@ -159,12 +159,8 @@ def honesty(
         if case.what == "finished" and not 1 / WITHIN <= case.ratio <= WITHIN:
             yield f"    {case.scene}, {case.method}, {case.asked:g}: estimated {case.estimated:.2g}, true {case.true:.2g}"
         if case.what in (
-            "accuracy_unreachable",
-            "not known",
-            "step_too_small",
-            "wall_time_limit",
-            "without a reference",
-        ):
+            "accuracy_unreachable", "not known", "step_too_small", "wall_time_limit", "without a reference",
+        ):  # fmt: skip
             yield f"    {case.scene}, {case.method}, {case.asked:g}: {case.what}, {case.estimated:.2g}, true {case.true:.2g}"
 
 

@@ -60,19 +60,10 @@ def startup() -> Iterator[Ratio]:
 
 
 SECTIONS = {
-    "startup": startup,
-    "chains": chains,
-    "limit": limit,
-    "honesty": honesty,
-    "overpaid": overpaid,
-    "sweep": sweep,
-    "sensitivities": sensitivities,
-    "size": size,
-    "rows": rows,
-    "minute": minute,
-    "bodies": bodies,
+    "startup": startup, "chains": chains, "limit": limit, "honesty": honesty, "overpaid": overpaid, "sweep": sweep,
+    "sensitivities": sensitivities, "size": size, "rows": rows, "minute": minute, "bodies": bodies,
     "measured": measured,
-}
+}  # fmt: skip
 
 
 def main() -> None:

@@ -76,15 +76,9 @@ class Link:
 
 
 JOINTS = {
-    "R": hd.Revolute,
-    "P": hd.Prismatic,
-    "C": hd.Cylindrical,
-    "L": hd.Planar,
-    "U": hd.Universal,
-    "S": hd.Spherical,
-    "F": hd.Free,
-    "W": hd.Weld,
-}
+    "R": hd.Revolute, "P": hd.Prismatic, "C": hd.Cylindrical, "L": hd.Planar, "U": hd.Universal, "S": hd.Spherical,
+    "F": hd.Free, "W": hd.Weld,
+}  # fmt: skip
 
 
 def unit(axis: str | Sequence[float]) -> np.ndarray:

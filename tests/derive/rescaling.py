@@ -20,13 +20,9 @@ from hertzwerk.derive.laws.law import F, StiffnessLaw, d
 ROUNDING = mpf(10) ** -25  # 40 digits, less the cancellation in any law
 FACTORS = (2, 3, 5, 7, 11)
 SCALINGS = {
-    "all": FACTORS,
-    "mass": (2, 1, 1, 1, 1),
-    "length": (1, 3, 1, 1, 1),
-    "time": (1, 1, 5, 1, 1),
-    "temperature": (1, 1, 1, 7, 1),
-    "current": (1, 1, 1, 1, 11),
-}
+    "all": FACTORS, "mass": (2, 1, 1, 1, 1), "length": (1, 3, 1, 1, 1), "time": (1, 1, 5, 1, 1),
+    "temperature": (1, 1, 1, 7, 1), "current": (1, 1, 1, 1, 11),
+}  # fmt: skip
 
 
 class Rescaling(NamedTuple):

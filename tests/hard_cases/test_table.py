@@ -23,16 +23,9 @@ PAIRS = [(case, method) for case in CASES for method in case.methods]
 
 IN_CI = ("dop853", "esdirk")  # whose C is compiled there; compiling takes most of the time
 LONG_IN_C = {
-    "falling_chain_of_3",
-    "touching_row_cubic",
-    "touching_row_fine",
-    "touching_row_linear",
-    "redundant_constraints",
-    "two_waves_meet",
-    "change_points",
-    "row_of_5",
-    "slips_before_lift_off_beside_wall",
-}
+    "falling_chain_of_3", "touching_row_cubic", "touching_row_fine", "touching_row_linear", "redundant_constraints",
+    "two_waves_meet", "change_points", "row_of_5", "slips_before_lift_off_beside_wall",
+}  # fmt: skip
 
 
 def in_ci(case, method):

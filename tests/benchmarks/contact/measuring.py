@@ -26,21 +26,9 @@ from hertzwerk.runtime.system.atomic_files import write_atomically
 FOLDER = Path(__file__).parent
 PEERS = tuple(sorted(path.stem for path in (FOLDER / "peers").glob("*.py")))
 COLUMNS = [
-    "problem",
-    "peer",
-    "version",
-    "integrator",
-    "setting",
-    "error",
-    "impact_error",
-    "seconds",
-    "calls",
-    "outcome",
-    "date",
-    "load",
-    "machine",
-    "python",
-]
+    "problem", "peer", "version", "integrator", "setting", "error", "impact_error", "seconds", "calls", "outcome",
+    "date", "load", "machine", "python",
+]  # fmt: skip
 NOT_STATED = "not stated"  # outcome of a peer that has no form of a problem
 LONGEST = 0.25  # s; a call that takes longer ends the series of its integrator
 PART = 0.2  # of the budget that the first calls of one of many peers may take

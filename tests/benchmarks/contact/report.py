@@ -16,16 +16,9 @@ RESULTS = FOLDER / "results"
 PAGE = ROOT / "runtime" / "handbook" / "explanation" / "peers.md"
 FIGURE = ROOT / ".readme" / "peers.png"
 COLOURS = {
-    "hertzwerk": "#c0392b",
-    "Drake": "#2471a3",
-    "SciPy": "#7f8c8d",
-    "heyoka": "#1e8449",
-    "Exudyn": "#b9770e",
-    "MuJoCo": "#6c3483",
-    "Pinocchio": "#117a65",
-    "C++": "#000000",
-    "CVODE": "#d35db0",
-}
+    "hertzwerk": "#c0392b", "Drake": "#2471a3", "SciPy": "#7f8c8d", "heyoka": "#1e8449", "Exudyn": "#b9770e",
+    "MuJoCo": "#6c3483", "Pinocchio": "#117a65", "C++": "#000000", "CVODE": "#d35db0",
+}  # fmt: skip
 
 
 IMPACTS = (1e-5, 1e-7, 1e-9, 1e-11)  # s

@@ -54,16 +54,9 @@ def test_a_hertz_stiffness_with_exponent_one_is_refused_with_the_lesson():
     assert head.endswith("nothing written")
     assert first.startswith("slider_pin, normal force: Lankarani-Nikravesh law for cylinders (1994), n = 1\n")
     for piece in (
-        "K*d**n",
-        "K [N/m^1.5]",
-        "(4/3)*E_eff*sqrt(R_eff)",
-        "d [m]",
-        "penetration",
-        "found N/m^0.5, expected N\n",
-        "K is N/m^1.5: K*d**n is a force only for n = 3/2",
-        "Either keep n = 3/2",
-        "Contact(..., unchecked=True)",
-    ):
+        "K*d**n", "K [N/m^1.5]", "(4/3)*E_eff*sqrt(R_eff)", "d [m]", "penetration", "found N/m^0.5, expected N\n",
+        "K is N/m^1.5: K*d**n is a force only for n = 3/2", "Either keep n = 3/2", "Contact(..., unchecked=True)",
+    ):  # fmt: skip
         assert piece in first, f"{piece!r} is not in\n{first}"
 
 

@@ -227,18 +227,9 @@ def test_all_faults_come_at_once():
         )
     text = str(raised.value)
     for part in (
-        "dd",
-        "Did you mean d?",
-        "name q",
-        "exponent p",
-        "rad/s",
-        "rpm",
-        "1/s",
-        "'sin'",
-        "'2x'",
-        "finite number",
+        "dd", "Did you mean d?", "name q", "exponent p", "rad/s", "rpm", "1/s", "'sin'", "'2x'", "finite number",
         "newton!",
-    ):
+    ):  # fmt: skip
         assert part in text
 
 

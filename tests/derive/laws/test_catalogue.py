@@ -20,14 +20,10 @@ from hertzwerk.derive.laws.formulas.line import l_ref, p_ref
 from hertzwerk.derive.laws.law import FORMS, DampingLaw, F, FrictionLaw, L, N, Quantity, StiffnessLaw, d, s, v, v0, z
 
 WRONG = {
-    "goldsmith": "inconsistent",
-    "lankarani_nikravesh_cylinders": "inconsistent",
-    "liu": "inconsistent",
-    "bai_zhao": "inconsistent",
-    "palmgren": "outside_si",
-    "pereira_internal": "outside_si",
+    "goldsmith": "inconsistent", "lankarani_nikravesh_cylinders": "inconsistent", "liu": "inconsistent",
+    "bai_zhao": "inconsistent", "palmgren": "outside_si", "pereira_internal": "outside_si",
     "pereira_external": "outside_si",
-}
+}  # fmt: skip
 CONSISTENT = [name for name in LAWS if name not in WRONG]
 
 

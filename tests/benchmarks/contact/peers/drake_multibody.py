@@ -13,15 +13,9 @@ from benchmarks.ratios import decades
 
 NAME, PACKAGE, MODULE = "Drake", "drake", "pydrake"
 CONTROLLED = (
-    "bogacki_shampine3",
-    "runge_kutta3",
-    "runge_kutta5",
-    "radau1",
-    "radau3",
-    "implicit_euler",
-    "velocity_implicit_euler",
-    "cenic",
-)
+    "bogacki_shampine3", "runge_kutta3", "runge_kutta5", "radau1", "radau3", "implicit_euler",
+    "velocity_implicit_euler", "cenic",
+)  # fmt: skip
 FIXED = ("explicit_euler", "runge_kutta2", "semi_explicit_euler")
 DISCRETE = ("lagged", "similar", "tamsi")
 

@@ -241,12 +241,8 @@ def loops(system: Any, numbers: Any) -> Filled:
 
 
 MODELS: dict[str, Callable[[Any, Any], Filled]] = {
-    "balls": balls,
-    "belt": belt,
-    "chain": chain,
-    "crank": crank,
-    "loops": loops,
-}
+    "balls": balls, "belt": belt, "chain": chain, "crank": crank, "loops": loops,
+}  # fmt: skip
 
 
 def prepare(problem: Problem, integrator: str, setting: float) -> Callable[[], Result]:

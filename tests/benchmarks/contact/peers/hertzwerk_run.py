@@ -192,13 +192,8 @@ SQUEEZER[[1, 3, 5], [0, 4, 6]] = 1
 
 
 BUILDERS: dict[str, Callable[[Problem], Model]] = {
-    "balls": balls,
-    "cradle": cradle,
-    "crank": crank,
-    "chain": chain,
-    "belt": belt,
-    "loops": loops,
-}
+    "balls": balls, "cradle": cradle, "crank": crank, "chain": chain, "belt": belt, "loops": loops,
+}  # fmt: skip
 LOADED: dict[str, Model] = {}
 
 

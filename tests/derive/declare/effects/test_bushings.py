@@ -215,16 +215,9 @@ def test_faults_of_matrices_come_at_once():
         )
     text = str(caught.value)
     for part in (
-        "pushes, stiffness",
-        "pushes, damping",
-        "symmetric",
-        "positive semidefinite",
-        "effect wrong",
-        "soft",
-        "both frames on body",
-        "effect energy",
-        "effect unknown",
-    ):
+        "pushes, stiffness", "pushes, damping", "symmetric", "positive semidefinite", "effect wrong", "soft",
+        "both frames on body", "effect energy", "effect unknown",
+    ):  # fmt: skip
         assert part in text, part
     with pytest.raises(hd.InputError, match="six rows of six"):
         floating(replace(base, stiffness=(1, 2)))

@@ -158,23 +158,16 @@ def test_all_faults_come_at_once():
         hd.Scene(hd.Mechanism("faulty", (SHAFT, FREE, track), pairs), (), SCALES)
     result = str(error.value)
     for text in (
-        "curve clockwise: found a closed chain that runs clockwise",
-        "curve apart: found ends 0.0566 m apart",
+        "curve clockwise: found a closed chain that runs clockwise", "curve apart: found ends 0.0566 m apart",
         "curve eight, curve pinched, curve spike: found it crosses or touches itself, in its pieces 1 and 3",
         "curve still, piece 2, curve still, piece 5: found a piece of no length",
         "curve still, piece 4: found a start 0.0353553 m and an end 0.0212132 m from the centre",
-        "curve still, piece 5: found an arc whose centre is at its end",
-        "curve spike, piece 1: found it turns back",
+        "curve still, piece 5: found an arc whose centre is at its end", "curve spike, piece 1: found it turns back",
         "curve bare, start, y, curve bare, piece 3, end, y: found the bare number 1",
-        "curve bare, piece 2, end, x: found s",
-        "curve records, start: found (0, L, 0)",
-        "curve records, piece 1: found 3",
-        "curve records, piece 2, end: found L",
-        "curve records, piece 3, centre: found 'R'",
-        "curve records, piece 3, clockwise: found 1",
-        "curve none, pieces: found ()",
-        "name 'open hole'",
-        "open curve as a hole",
+        "curve bare, piece 2, end, x: found s", "curve records, start: found (0, L, 0)",
+        "curve records, piece 1: found 3", "curve records, piece 2, end: found L",
+        "curve records, piece 3, centre: found 'R'", "curve records, piece 3, clockwise: found 1",
+        "curve none, pieces: found ()", "name 'open hole'", "open curve as a hole",
         "joint groove, curve block: found a corner at the end of its piece 3",
-    ):
+    ):  # fmt: skip
         assert text in result, text

@@ -14,14 +14,10 @@ from hertzwerk.runtime import load, simulate
 RHO, R, H, L, B, C = (
     hd.Parameter(name, unit, value)
     for name, unit, value in (
-        ("rho", "kg/m^3", 7800.0),
-        ("r", "mm", 50.0),
-        ("r_hole", "mm", 20.0),
-        ("l", "mm", 70.0),
-        ("b", "mm", 40.0),
+        ("rho", "kg/m^3", 7800.0), ("r", "mm", 50.0), ("r_hole", "mm", 20.0), ("l", "mm", 70.0), ("b", "mm", 40.0),
         ("c", "mm", 90.0),
     )
-)
+)  # fmt: skip
 OFF = (R, -B / 2, L)
 SKEW = hd.Direction((1, -2, 2))
 SIZES = hd.Scales(length=R, speed=hd.Parameter("pace", "m/s", 1), arm=R)

@@ -259,22 +259,11 @@ def test_all_faults_of_a_scene_come_at_once():
         )  # fmt: skip
     text = str(caught.value)
     for piece in (
-        "body ball, mass: found -1 kg",
-        "the bare number 2.0",
-        "'mmm'",
-        "bush [kg]",
-        "pair pin, clearance: found 0 m",
-        "parent stranger",
-        "pair pin, effect energy_ledger: found 2 of this name",
-        "found default inf",
-        "exponent bend",
-        "coefficient of restitution of flores: found 1.5",
-        "pair 'nowhere'",
-        "effect energy_ledger: found 2",
-        "the bare number 3.0",
-        "joint 'nothing'",
-        "no arm",
-    ):
+        "body ball, mass: found -1 kg", "the bare number 2.0", "'mmm'", "bush [kg]", "pair pin, clearance: found 0 m",
+        "parent stranger", "pair pin, effect energy_ledger: found 2 of this name", "found default inf",
+        "exponent bend", "coefficient of restitution of flores: found 1.5", "pair 'nowhere'",
+        "effect energy_ledger: found 2", "the bare number 3.0", "joint 'nothing'", "no arm",
+    ):  # fmt: skip
         assert piece in text, f"{piece!r} is not in\n{text}"
     assert "16 faults" in text  # that of the pair and the ledger, 2 of a name, is told once
     assert len(set(caught.value.faults)) == len(caught.value.faults)

@@ -102,17 +102,9 @@ def deviation(tree, derived, count=4):
 
 
 LARGE = {
-    "free on an arm, turned",
-    "skew axes, turned",
-    "skew after turned",
-    "free, carrying",
-    "welds",
-    "planar, four links",
-    "spatial, branches",
-    "driven in the middle",
-    "two drives",
-    "spatial, merged, then across",
-}
+    "free on an arm, turned", "skew axes, turned", "skew after turned", "free, carrying", "welds",
+    "planar, four links", "spatial, branches", "driven in the middle", "two drives", "spatial, merged, then across",
+}  # fmt: skip
 
 
 @pytest.mark.by_turns(8)

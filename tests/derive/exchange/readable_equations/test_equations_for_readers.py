@@ -121,14 +121,9 @@ def with_friction(law):
 
 
 IN_CI = (
-    "bouncing_ball",
-    "slider_crank",
-    "journal_lubricated",
-    "ball_in_socket",
-    "spatial_slider_crank",
-    "coulomb",
+    "bouncing_ball", "slider_crank", "journal_lubricated", "ball_in_socket", "spatial_slider_crank", "coulomb",
     "lugre",
-)
+)  # fmt: skip
 
 
 def in_ci(names):

@@ -255,17 +255,11 @@ def chain_by_joints(wrong):
 
 
 PLANTED = {
-    arm_with_a_slider: "velocity of P in N",
-    two_links: "velocity of R in N",
-    body_in_space: "angular velocity of B in N",
-    satellite: "angular velocity of B in N",
-    disc: "angular velocity of R in N",
-    shaken: "velocity of V in N",
-    rolling: "velocity of H in N",
-    bar_in_a_circle: "velocity of P in N",
-    cart: "velocity of O in N",
-    chain_by_joints: "angular velocity of B in A",
-}
+    arm_with_a_slider: "velocity of P in N", two_links: "velocity of R in N",
+    body_in_space: "angular velocity of B in N", satellite: "angular velocity of B in N",
+    disc: "angular velocity of R in N", shaken: "velocity of V in N", rolling: "velocity of H in N",
+    bar_in_a_circle: "velocity of P in N", cart: "velocity of O in N", chain_by_joints: "angular velocity of B in A",
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("model", PLANTED, ids=lambda model: model.__name__)

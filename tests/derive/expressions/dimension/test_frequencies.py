@@ -14,18 +14,9 @@ from hertzwerk.derive.scenes import NAMES
 from hertzwerk.runtime.loading import engine_model
 
 UNITS = {
-    "f": "1/s",
-    "h": "1/ms",
-    "w": "rad/s",
-    "n": "rpm",
-    "t": "s",
-    "J": "kg m^2",
-    "m": "kg",
-    "x": "m",
-    "k": "N/m",
-    "c": "N s",
-    "p": "1",
-}
+    "f": "1/s", "h": "1/ms", "w": "rad/s", "n": "rpm", "t": "s", "J": "kg m^2", "m": "kg", "x": "m", "k": "N/m",
+    "c": "N s", "p": "1",
+}  # fmt: skip
 DOUBTED = ("cos(f*t)", "sin(f*t + 0.3)", "tan(-t*h)", "cos(2*f*t)", "J*f**2", "J*f**2/2", "m*(f*x)**2", "m*f*f*x", "k/f**2", "x*f**(1 + 1)",
            "sqrt(J*f**4/m)", "exp(cos(f*t))", "m*x*(1 + p*cos(f*t))**p")  # fmt: skip
 FINE = ("cos(2*pi*f*t)", "cos(6.2832*f*t)", "cos(2*3.1416*f*t)", "J*(2*pi*f)**2", "39.478*J*f**2", "cos(w*t)", "J*w**2", "J*n**2/2", "exp(-f*t)",

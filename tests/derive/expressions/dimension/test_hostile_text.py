@@ -153,23 +153,9 @@ def check_name(kinds: tuple[str, ...], name: str, expected: list[float]) -> None
     except hd.InputError as error:
         taken = {"bush", "mass", "length", "damping", "g", "E", "mu", "spring", "J"}  # what the scene has of the kind
         reserved = {
-            "ca",
-            "t",
-            "p",
-            "q",
-            "u",
-            "a",
-            "f",
-            "z",
-            "m",
-            "c",
-            "wanted",
-            "reactions",
-            "joints",
-            "joint_speeds",
-            "push_TABLE",
-            "PUSH_TABLE",
-        }
+            "ca", "t", "p", "q", "u", "a", "f", "z", "m", "c", "wanted", "reactions", "joints", "joint_speeds",
+            "push_TABLE", "PUSH_TABLE",
+        }  # fmt: skip
         assert name in taken | reserved | {"ground"}, error
         return
     made = hd.generate(declared)

@@ -25,15 +25,10 @@ def test_of_two_rates_one_is_mistaken_where_it_alone_counts_an_angle(one, other)
 @each(
     ("one", "other"),
     [
-        ("1", "rad"),
-        ("N m", "N m/rad"),
-        ("N m s", "N m s/rad"),
-        ("m/s", "m rad/s"),
-        ("deg", "%"),
-        ("s", "s/rad"),
+        ("1", "rad"), ("N m", "N m/rad"), ("N m s", "N m s/rad"), ("m/s", "m rad/s"), ("deg", "%"), ("s", "s/rad"),
         ("1/s", "1/s^2"),
     ],
-)
+)  # fmt: skip
 def test_an_angle_counts_in_rates_alone(one, other):
     assert not parse_unit(one).mistaken_for(parse_unit(other))
     assert not parse_unit(other).mistaken_for(parse_unit(one))

@@ -213,28 +213,9 @@ def test_any_summary_and_source_make_a_module_that_holds_them():
 
 
 NAMES = [
-    "ca",
-    "t",
-    "p",
-    "q",
-    "u",
-    "a",
-    "f",
-    "z",
-    "m",
-    "c",
-    "reactions",
-    "casadi",
-    "x1",
-    "x2",
-    "k1",
-    "inverse_mass",
-    "base",
-    "gaps",
-    "floor_gap",
-    "fall_travel",
-    "float",
-]
+    "ca", "t", "p", "q", "u", "a", "f", "z", "m", "c", "reactions", "casadi", "x1", "x2", "k1", "inverse_mass",
+    "base", "gaps", "floor_gap", "fall_travel", "float",
+]  # fmt: skip
 
 
 @pytest.mark.by_turns(3)

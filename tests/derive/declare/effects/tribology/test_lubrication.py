@@ -73,16 +73,12 @@ def resultants(law, e, rate, spin_pin=0.0, spin_bush=0.0):
 # -- the oracle is `film` ---------------------------------------------------------------------------------------------
 
 MOTIONS = {
-    "wedge": ((3e-5, 4e-5), (0, 0), 100, 0),
-    "whirl": ((6e-5, 0), (0, -0.02), 0, 0),
-    "squeeze": ((3e-5, -4e-5), (0.02, -0.03), 0, 0),
-    "opening": ((-5e-5, 4e-5), (0.03, -0.01), 0, 0),
+    "wedge": ((3e-5, 4e-5), (0, 0), 100, 0), "whirl": ((6e-5, 0), (0, -0.02), 0, 0),
+    "squeeze": ((3e-5, -4e-5), (0.02, -0.03), 0, 0), "opening": ((-5e-5, 4e-5), (0.03, -0.01), 0, 0),
     "whirl at the mean spin, all but": ((2e-5, 5e-5), (-5e-5 * 70, 2e-5 * 70), 100, 40.1),
-    "all at once": ((6e-5, 2e-5), (-0.02, 0.05), -300, 700),
-    "bush alone": ((-1e-5, -7e-5), (0.01, 0.002), 0, 250),
-    "nearly touching": ((8e-5, 3e-5), (0.03, 0.04), 500, 0),
-    "from the centre": ((0, 0), (0.01, 0.07), 300, -100),
-}
+    "all at once": ((6e-5, 2e-5), (-0.02, 0.05), -300, 700), "bush alone": ((-1e-5, -7e-5), (0.01, 0.002), 0, 250),
+    "nearly touching": ((8e-5, 3e-5), (0.03, 0.04), 500, 0), "from the centre": ((0, 0), (0.01, 0.07), 300, -100),
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("motion", MOTIONS)
@@ -126,12 +122,8 @@ def test_half_sommerfeld_and_ocvirk(eps):
 @pytest.mark.parametrize("law", ["short_bearing", "long_bearing"])
 def test_nothing_is_undefined_at_the_centre_or_at_rest(law):
     for e, rate in (
-        ((0, 0), (0, 0)),
-        ((0, 0), (0.02, 0)),
-        ((5e-5, 0), (0, 0)),
-        ((C, 0), (0, 0)),
-        ((1.1 * C, 0), (0.1, 0)),
-    ):
+        ((0, 0), (0, 0)), ((0, 0), (0.02, 0)), ((5e-5, 0), (0, 0)), ((C, 0), (0, 0)), ((1.1 * C, 0), (0.1, 0)),
+    ):  # fmt: skip
         q, u = state(e, rate)
         u[:] = [*rate, 0, 0, 0, 0]
         for which in ("q", "u"):

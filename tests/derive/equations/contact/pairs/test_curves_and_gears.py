@@ -292,18 +292,13 @@ def test_all_faults_come_at_once():
         )
     actual = str(error.value)
     for text in (
-        "curve none, pieces: found ()",
-        "pair mixed, curves: found a curve and an outline",
-        "pair chain, curve: found 'R'",
-        "pair holes, curves: found two holes",
-        "curve round, repeats: found 3 copies of a closed curve",
-        "curve none_at_all, repeats: found 0",
-        "pair roller, curve teeth: found 8 copies",
-        "teeth few, teeth: found 3",
-        "teeth pointed: found flanks that cross below the tip",
-        "pair strange, first teeth: found 'teeth'",
+        "curve none, pieces: found ()", "pair mixed, curves: found a curve and an outline",
+        "pair chain, curve: found 'R'", "pair holes, curves: found two holes",
+        "curve round, repeats: found 3 copies of a closed curve", "curve none_at_all, repeats: found 0",
+        "pair roller, curve teeth: found 8 copies", "teeth few, teeth: found 3",
+        "teeth pointed: found flanks that cross below the tip", "pair strange, first teeth: found 'teeth'",
         "teeth text, module: found '3 mm'",
-    ):
+    ):  # fmt: skip
         assert text in actual, text
     with pytest.raises(hd.InputError, match="a Z of the first curve"):
         turned = PLATE.at(0, 0, 0).turned(hd.X, hd.Parameter("half", "deg", 180))

@@ -234,14 +234,9 @@ def test_a_bounded_face_makes_no_contact_beyond_its_ends():
         )
     )
     for x, y, gap in (
-        (0, 0.1, 0.1),
-        (0.5, -0.1, -0.1),
-        (1.2, -0.1, 0.2),
-        (-1.2, -3, 0.2),
-        (1.2, 0.5, 0.5),
-        (0.95, -0.3, -0.05),
+        (0, 0.1, 0.1), (0.5, -0.1, -0.1), (1.2, -0.1, 0.2), (-1.2, -3, 0.2), (1.2, 0.5, 0.5), (0.95, -0.3, -0.05),
         (-0.7, -0.9, -0.3),
-    ):
+    ):  # fmt: skip
         (outcome, *_) = derived.call("gaps", q=[x, y, 0.4], u=np.zeros(3))
         assert outcome == pytest.approx([gap], rel=1e-12)
         f, *_ = derived.call("contact_touch", q=[x, y, 0.4], u=np.zeros(3), m=[])
@@ -312,14 +307,9 @@ def test_faults_of_several_pairs_come_at_once():
         )  # fmt: skip
     text = str(caught.value)
     for piece in (
-        "ball radius",
-        "both sides on one",
-        "pair second, length: found -1 m",
-        "a cosine of 1 to the normal",
-        "[m^2]",
-        "mass [kg]",
-        "no arm",
-    ):
+        "ball radius", "both sides on one", "pair second, length: found -1 m", "a cosine of 1 to the normal", "[m^2]",
+        "mass [kg]", "no arm",
+    ):  # fmt: skip
         assert piece in text, piece
 
 
