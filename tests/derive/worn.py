@@ -11,6 +11,7 @@ import inspect
 import sys
 import types
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import sympy as sp
@@ -25,7 +26,7 @@ p = hd.Parameter
 K, RATE, ACCELERATION = 1e-14, p("wear_rate", "mm^3/(N m)", 1e-5), p("repetitions", "1", 1e4)
 G, M, A, V = 9.81, 2.0, 4e-6, 0.3
 BUSH, CLEARANCE, LENGTH, SPIN, STIFFNESS = 0.01, 1e-4, 0.02, 2 * np.pi, 1e6
-PIN = BUSH - CLEARANCE
+PIN, COUNT, TRACK = BUSH - CLEARANCE, 8, 0.03
 SIZE = p("size", "mm", 1)
 SCALES = hd.Scales(SIZE, p("pace", "m/s", 1), arm=SIZE)
 BLOCK, SHAFT = (
@@ -61,6 +62,20 @@ def sphere():
     radius = p("radius", "mm", 10)
     pair = hd.SphereOnPlane("floor", BLOCK.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), hd.Y)
     return pair, hd.Wear("wear", "floor", RATE, acceleration=ACCELERATION), radius
+
+
+def track(sectors=COUNT):
+    """The plane below that sphere wears, along a track of 30 mm."""
+    pair, wear, radius = sphere()
+    length = p("track", "mm", 30)
+    return pair, replace(wear, first=None, second=RATE, sectors=sectors, track=length, along=hd.X), radius
+
+
+def rolling(pair, wear):
+    """A shaft that moves in a plane as it likes, and touches another with a sphere."""
+    joint = hd.Planar("way", hd.GROUND, SHAFT, normal=hd.Z)
+    effects = DOWN, hd.Contact(pair.name, *LAW), wear, hd.EnergyLedger()
+    return hd.Scene(hd.Mechanism("rolls", (joint,), pairs=(replace(pair, sphere=SHAFT.at(0, 0, 0)),)), effects, SCALES)
 
 
 def journal(first, second, sectors=16, coordinates="tree", load_ratio=0):
@@ -99,9 +114,10 @@ def elastic(pair):
     return {pair: hd.Contact(pair, ELASTIC)}
 
 
-SPOTS, COUNT = {"sphere": sphere()[:2], "corner": corner(area=p("area", "mm^2", 4))}, 8
+SPOTS = {"sphere": sphere()[:2], "corner": corner(area=p("area", "mm^2", 4))}
 SCENES = {
     "journal": lambda: journal(RATE, RATE, COUNT).replace(**elastic("bearing")),
+    "track": lambda: rolling(*track()[:2]).replace(**elastic("floor")),
     **{name: lambda spot=spot: sliding(*spot).replace(**elastic("floor")) for name, spot in SPOTS.items()},
 }
 
@@ -170,6 +186,40 @@ def check_journal(text):
         assert_allclose(powers[-1], STIFFNESS * depth * np.concatenate([of_pin, of_bush]) @ rates, rtol=1e-6)
 
 
+def check_track(text):
+    """The same of a plane's track, which lies under a sphere that rolls and slides, and repeats beyond its ends."""
+    derived, rng = Derived(text=text), np.random.default_rng(5)
+    for deep in (-1e-5, 1e-6, 2e-5):
+        x, angle, u, a = (
+            rng.uniform(-2 * TRACK, 2 * TRACK),
+            rng.uniform(0, 6),
+            rng.uniform(-1, 1, 3),
+            rng.uniform(-1, 1, 3),
+        )
+        worn = rng.uniform(0, 2e-5, COUNT)
+        less, depth, more = kernel(COUNT, 2 * np.pi / TRACK * (x + np.array([-1e-6, 0, 1e-6]))) @ worn
+        slope, load = (more - less) / 2e-6, STIFFNESS * deep
+        q = np.array([x, BUSH - depth - deep, angle, *worn, 5e6])
+        given = {"t": 0.0, "q": q, "u": u, "z": np.zeros(3), "m": np.zeros(1)}
+        gap, rate = derived.call("gaps", **given)
+        assert_allclose(gap, -deep, rtol=1e-9)
+        assert_allclose(rate, rate_along(derived, "gaps", 0, t=0.0, q=q, u=u, a=a), rtol=1e-9)
+        second = derived.call("gap_accelerations", t=0.0, q=q, u=u, a=a)
+        assert_allclose(second, rate_along(derived, "gaps", 1, t=0.0, q=q, u=u, a=a), rtol=1e-9)
+        assert_allclose(derived.call("outputs", **given)[-1], 1e4 * K * 5e6, rtol=1e-9)
+        if deep < 0:
+            continue
+        forces, powers, normal, *_ = derived.call("contact_floor", **given)
+        assert_allclose(forces[:3], [load * slope, load, 0], rtol=1e-6, atol=1e-9 * load)
+        assert_allclose(normal, load * np.hypot(1, slope), rtol=1e-9)
+        power = normal * abs((u[0] - slope * u[1]) / np.hypot(1, slope) + BUSH * u[2])
+        assert_allclose(forces[-1], power, rtol=1e-8)
+        (shares,) = kernel(COUNT, 2 * np.pi / TRACK * x)
+        rates = 1e4 * K * power * shares / (2 * np.sqrt(BUSH * (deep + 2 * depth)) * TRACK / COUNT)
+        assert_allclose(forces[3:-1], rates, rtol=1e-8)
+        assert_allclose(powers[-1], load * shares @ rates, rtol=1e-8)
+
+
 def check_spot(text, name):
     """Archard's law over a flat of the sphere, or over the area of the corner."""
     derived, deep, worn, path = Derived(text=text), 2e-5, 3e-6, 5e6
@@ -186,6 +236,7 @@ def check_spot(text, name):
 
 CHECKS = {
     "journal": check_journal,
+    "track": check_track,
     **{name: lambda text, name=name: check_spot(text, name) for name in ("sphere", "corner")},
 }
 

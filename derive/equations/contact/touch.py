@@ -39,8 +39,6 @@ class Touch:
     """Whether gap and normal are known to be consistent; else they are tested at random states."""
     limit: Any = None
     """Penetration up to which the geometry holds [m]; None without a limit."""
-    stretch: Any = None
-    """Length of the gradient of the penetration [1] where it is not 1: the normal force over that by the penetration."""
 
     def __init__(self, pair: Pair, kinematics: Kinematics) -> None:
         self.kin = kinematics
@@ -69,6 +67,11 @@ class Touch:
     def worn(self) -> Any:
         """Worn surfaces, a `Worn`; None without wear."""
         return worn_at(self)
+
+    @property
+    def stretch(self) -> Any:
+        """Length of the gradient of the penetration [1] where it is not 1: the normal force over that by the penetration."""
+        return self.worn and self.worn.stretch
 
     @property
     def gap(self) -> Any:
@@ -109,9 +112,12 @@ class Touch:
     def penetration_rate(self) -> Any:
         """Approach speed of both bodies' material points at the first place along the normal [m/s].
 
-        The normal turns with the second body.
+        The normal turns with the second body. On a worn contour it is that along the gradient of the penetration.
         """
-        return self.let(-dot(self.normal, self.relative_rate), "penetration_rate")
+        along = dot(self.normal, self.relative_rate)
+        return self.let(
+            -along if self.stretch is None else self.worn.spin_rate - self.stretch * along, "penetration_rate"
+        )
 
     @cached_property
     def relative_rate(self) -> Vector:

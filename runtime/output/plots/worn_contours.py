@@ -1,4 +1,4 @@
-"""Picture of a wear: contours of pin and bush as they grow, enlarged; depth over the angle; volume."""
+"""Picture of a wear: contours as they grow, of pin and bush also enlarged around the axis; volume."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ if TYPE_CHECKING:
 
 INSTANTS, ANGLES = 5, np.linspace(0, 2 * np.pi, 721)
 SHOWN, APART = 0.25, 0.2  # of the bush's radius: deepest as shown, and clearance as shown
-COLOURS = {"bush": BLUE, "pin": VERMILLION}
+COLOURS = {"bush": BLUE, "pin": VERMILLION, "track": BLUE}
 
 
 def wears(run: EngineSolution) -> list[str]:
-    """Names of the wears of pins and bushes."""
+    """Names of the wears of pins, bushes and tracks."""
     effects = run.engine.model.module.EFFECTS
     return [name for name, kind, _ in effects if kind == "wear" and worn_surfaces(run, name)]
 
 
 def worn_surfaces(run: EngineSolution, wear: str) -> dict[str, Array]:
-    """Depths (sectors, times) [m] of pin and bush by name, of those that wear; empty for one spot."""
+    """Depths (sectors, times) [m] of pin and bush, or of a track, by name, of those that wear; empty for one spot."""
     names = {
         surface: [f"{wear}.{surface}_{k + 1}" for k in range(len(run.engine.model.coordinates))] for surface in COLOURS
     }
@@ -51,17 +51,19 @@ def contour(depths: Array, angles: Array) -> Array:
 
 
 def plot_wear(run: EngineSolution, wear: str) -> Figure:
-    """Draw the worn contours at five instants, the depth over the angle, and the volume lost."""
+    """Draw the worn contours at five instants, the depth over the angle or along the track, and the volume lost."""
     curves, surfaces = Curves.of(run), worn_surfaces(run, wear)
     rows = np.unique(np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], INSTANTS + 1)[1:]))
-    lines = {name: contour(depths[:, rows], ANGLES) for name, depths in surfaces.items()}
+    track = "track" in surfaces
+    lines = {name: contour(depths[:, rows], ANGLES - np.pi * track) for name, depths in surfaces.items()}
     deepest = max(float(of.max()) for of in lines.values()) or 1.0
     with mpl.rc_context(STYLE):
-        figure = Figure(figsize=(12.5, 6.4), layout=Arrangement())
-        grid = figure.add_gridspec(2, 2, width_ratios=(1.05, 1))
-        _around(figure.add_subplot(grid[:, 0]), run, wear, lines, deepest)
-        _unrolled(figure.add_subplot(grid[0, 1]), lines)
-        below = figure.add_subplot(grid[1, 1])
+        figure = Figure(figsize=(9.5 if track else 12.5, 6.4), layout=Arrangement())
+        grid = figure.add_gridspec(2, 1 if track else 2, width_ratios=(1,) if track else (1.05, 1))
+        if not track:
+            _around(figure.add_subplot(grid[:, 0]), run, wear, lines, deepest)
+        _unrolled(figure.add_subplot(grid[0, -1]), lines, track=track)
+        below = figure.add_subplot(grid[1, -1])
         volume = curves[f"{wear}.volume"] * 1e9
         below.plot(curves.time(curves.t), volume, color=GREY)
         below.set_ylim(bottom=0)
@@ -91,15 +93,25 @@ def _around(axis: Axes, run: EngineSolution, wear: str, lines: dict[str, Array],
     axis.legend(loc="center")
 
 
-def _unrolled(axis: Axes, lines: dict[str, Array]) -> None:
-    """Draw the depth over the angle, one line for each instant."""
+def _unrolled(axis: Axes, lines: dict[str, Array], *, track: bool) -> None:
+    """Draw the depth over the angle or, downwards, along the track, one line for each instant."""
     scale = scale_of("m", max(float(of.max()) for of in lines.values()))
     for name, of in lines.items():
         for i, depth in enumerate(of.T):
             share = (i + 1) / of.shape[1]
-            axis.plot(np.degrees(ANGLES), scale(depth), color=COLOURS[name], alpha=0.2 + 0.8 * share**2)
-    axis.set(xticks=np.arange(0, 361, 60), xlim=(0, 360), xlabel="angle in the surface's own axes [degree]")
+            axis.plot(
+                ANGLES / (2 * np.pi) - 0.5 if track else np.degrees(ANGLES),
+                scale(depth),
+                color=COLOURS[name],
+                alpha=0.2 + 0.8 * share**2,
+            )
+    if track:
+        axis.set(xlim=(-0.5, 0.5), xlabel="position along the track, from the plane's place, over its length")
+    else:
+        axis.set(xticks=np.arange(0, 361, 60), xlim=(0, 360), xlabel="angle in the surface's own axes [degree]")
     axis.set_ylim(bottom=0)
+    if track:
+        axis.invert_yaxis()
     axis.set_title(f"Depth [{scale.unit}]")
 
 

@@ -12,7 +12,9 @@ from hertzwerk.derive.common.faults import Fault, one_of
 from hertzwerk.derive.declare.effects.contacts import contact_faults
 from hertzwerk.derive.declare.effects.effect import CONTACT, Declared, Element, Kinematics, PairEffect, State
 from hertzwerk.derive.declare.effects.tribology.lubrication import Lubrication
-from hertzwerk.derive.expressions.parameter import NOT_NEGATIVE, POSITIVE, Scalar, Slot
+from hertzwerk.derive.declare.mechanism.bodies import Direction
+from hertzwerk.derive.expressions.algebra.vectors import dot
+from hertzwerk.derive.expressions.parameter import NOT_NEGATIVE, POSITIVE, Scalar, Slot, default_value
 
 QUANTITIES = {
     "length": ("e", "", "eccentricity, at least a quarter of the clearance"),
@@ -29,7 +31,17 @@ QUANTITIES = {
     "bush_slope": ("w'", r"\mathrm{bush}", "slope of the bush's depth by the angle"),
     "pin_turning": (r"\omega", r"\mathrm{pin}", "rate of the direction's angle in the axes of the pin"),
     "bush_turning": (r"\omega", r"\mathrm{bush}", "rate of the direction's angle in the axes of the bush"),
-    "slope": ("s", "", "slope of both over the eccentricity"),
+    "track_position": ("x", "", "position of the contact along the track"),
+    "track_cosine": ("c", "", "cosine of that position, a whole turn over the track"),
+    "track_sine": ("s", "", "its sine"),
+    "track_shares": (r"\varphi", "", "shares of the track's sectors there"),
+    "track_shares_slope": (r"\varphi'", "", "their slopes by that turn"),
+    "track_depth": ("w", "", "depth of the track there"),
+    "track_slope": ("w'", "", "slope of that depth by the turn"),
+    "track_turning": (r"\omega", "", "rate of that turn"),
+    "deep": ("d", "", "twice the depth, and the penetration"),
+    "breadth": ("b", "", "breadth of the groove under the sphere"),
+    "slope": ("s", "", "slope of the worn contour, of a pin over the eccentricity"),
     "depth": ("w", "", "depth of both"),
     "counted": ("w", r"\mathrm{G}", "depth of both, faded towards the centre"),
     "area": ("A", "", "area of the spot"),
@@ -42,6 +54,9 @@ SOUGHT = (
     "bush_depth",
     "pin_slope",
     "bush_slope",
+    "track_depth",
+    "track_slope",
+    "breadth",
     "slope",
     "depth",
     "counted",
@@ -50,7 +65,7 @@ SOUGHT = (
 )
 CONTOUR, FLAT = "contour", "flat"
 """How a pair wears: around the circles of both surfaces, or at one spot of the first."""
-DEPTH, LOAD_PATH = "depth", "load_path"
+DEPTH, TRACK, LOAD_PATH = "depth", "track", "load_path"
 
 
 @dataclass(frozen=True)
@@ -64,6 +79,9 @@ class Wear(PairEffect):
     `<name>.pin_1`.. and `<name>.bush_1`.. [m], about the axis from the x axis of the place. A sphere or a corner loses
     `<name>.depth`, over the corner's `area`, or over the sphere's growing flat.
 
+    The plane under a sphere wears, `second`, in the `sectors` of a `track` of that length [m] `along` a direction of the plane's
+    frame: states `<name>.track_1`.. [m] from the plane's place, and again beyond its ends.
+
     With an `acceleration` a, the wear of each sliding counts a times: as many repetitions are left out.
     `<name>.load_path` is the force integrated over the sliding distance [N m], `<name>.volume` what is lost. Archard,
     J. Appl. Phys. 24 (1953) 981, eq. 3.
@@ -76,6 +94,8 @@ class Wear(PairEffect):
     sectors: int = 32
     area: Scalar | None = None
     acceleration: Scalar = 1
+    track: Scalar | None = None
+    along: Direction | None = None
     kind: ClassVar[str] = "wear"
     enters: ClassVar[str] = CONTACT
     quantities: ClassVar[Mapping[str, tuple[str, str, str]]] = QUANTITIES
@@ -85,6 +105,7 @@ class Wear(PairEffect):
         "second": Slot.of("1/Pa", NOT_NEGATIVE),
         "area": Slot.of("m^2", POSITIVE),
         "acceleration": Slot.of("1", POSITIVE),
+        "track": Slot.of("m", POSITIVE),
     }
 
     @property
@@ -92,15 +113,20 @@ class Wear(PairEffect):
         """Description for people."""
         return f"Archard's wear at {self.pair}"
 
+    @property
+    def directions(self) -> Mapping[str, Direction]:
+        """The direction of its track."""
+        return {} if self.along is None else {"along": self.along}
+
     def rates(self, pair: Any) -> dict[str, Any]:
         """Specific wear rates of the surfaces that wear, by the names of their states."""
-        names = pair.labels if pair.wears == CONTOUR else (DEPTH,)
+        names = pair.labels if pair.wears == CONTOUR else (DEPTH, TRACK)
         return {name: rate for name, rate in zip(names, (self.first, self.second), strict=False) if rate is not None}
 
     def depths(self, pair: Any) -> dict[str, list[str]]:
         """States of each surface that wears, without the effect's name."""
-        numbers = range(1, self.sectors + 1) if pair.wears == CONTOUR else ()
-        return {name: [f"{name}_{k}" for k in numbers] or [name] for name in self.rates(pair)}
+        numbers = range(1, self.sectors + 1)
+        return {name: [name] if name == DEPTH else [f"{name}_{k}" for k in numbers] for name in self.rates(pair)}
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield its quantities, and the length of the bush."""
@@ -130,27 +156,38 @@ class Wear(PairEffect):
             return
         if self.first is None and self.second is None:
             yield Fault(self.where, "no specific wear rate", "one of `first` or of `second`")
+        if (self.track is None) != (self.along is None) or (self.track is not None and pair.wears == CONTOUR):
+            yield Fault(self.where, "a track and a direction along it that do not belong together, or those of a pin",
+                        "both for a plane that wears under a sphere, else neither")  # fmt: skip
         if pair.wears == FLAT:
-            if self.second is not None:
-                yield Fault(self.where, f"a specific wear rate of the second body at {self.pair}", "one of the first alone",
-                            "The face wears along a track, which has no state: leave `second` out.")  # fmt: skip
-            if (self.area is None) != hasattr(pair, "radius"):
-                yield Fault(self.where, "no area" if self.area is None else "an area of a sphere",
-                            "an area for a corner, none for a sphere", "A sphere's flat grows with its depth.")  # fmt: skip
+            if self.second is None:
+                if (self.area is None) != hasattr(pair, "radius"):
+                    yield Fault(self.where, "no area" if self.area is None else "an area of a sphere",
+                                "an area for a corner, none for a sphere", "A sphere's flat grows with its depth.")  # fmt: skip
+            elif self.first is not None or self.track is None or not hasattr(pair, "radius"):
+                yield Fault(self.where, f"a specific wear rate of the second body at {self.pair}", "a plane that wears alone, under a sphere",
+                            "A plane wears along its `track`, under a sphere that keeps its form: leave `first` out, or `second`.")  # fmt: skip
+            else:
+                yield from self._sector_faults()
+            if self.along is not None and abs(default_value(dot(self.along.unit, pair.normal.unit))) > 1e-9:
+                yield Fault(f"{self.where}, along", "a direction that is inclined to the plane", "one in the plane")
             return
         if pair.length is None:
             way_out = "The length over which both touch: PinInBush(..., length=...)."
             yield Fault(f"pair {self.pair}, length", "None", "a length, for the area of a sector", way_out)
         if self.area is not None:
             yield Fault(self.where, "an area of a pin in its bush", "none", "Its sectors have theirs.")
-        count = self.sectors
-        if not (isinstance(count, int) and count >= 4 and count & (count - 1) == 0):
-            yield Fault(self.where, f"sectors={count!r}", "a power of 2, at least 4")
+        yield from self._sector_faults()
         yield from (
             Fault(self.where, f"film {other.name} at {self.pair} too", "a dry pair", "A film in a worn gap has no law: leave one out.")
             for other in scene.effects
             if isinstance(other, Lubrication) and other.pair == self.pair
         )  # fmt: skip
+
+    def _sector_faults(self) -> Iterator[Fault]:
+        count = self.sectors
+        if not (isinstance(count, int) and count >= 4 and count & (count - 1) == 0):
+            yield Fault(self.where, f"sectors={count!r}", "a power of 2, at least 4")
 
     def element(self, kin: Kinematics) -> Element:
         """The volume lost [m^3]; its states rest but in contact, whose forces are known there alone."""

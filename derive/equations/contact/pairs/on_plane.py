@@ -123,18 +123,23 @@ class Face(Touch):
     proved: ClassVar[bool] = True
 
     @cached_property
-    def normal(self) -> Vector:
+    def direction(self) -> Vector:
         """Normal of the plane."""
         return self.named(self.kin.direction(self.second, self.pair.normal), "direction")
+
+    @cached_property
+    def normal(self) -> Vector:
+        """Normal of the plane, or of its worn track."""
+        return self.direction if self.stretch is None else self.named(self.worn.normal, "normal")
 
     @cached_property
     def gap(self) -> Any:
         """Height over the plane, less the radius, which wear shortens."""
         radius = sp.sympify(self.pair.first_radius) - (0 if self.worn is None else self.worn.depth)
-        return self.let(dot(self.normal, self.apart) - radius, "gap")
+        return self.let(dot(self.direction, self.apart) - radius, "gap")
 
     def faults(self, length: float) -> Iterator[Fault]:
-        """Yield the fault of a sphere that wears and may turn."""
+        """Yield faults of wear that does not fit the motion."""
         yield from super().faults(length)
         if self.worn is not None:
             yield from self.worn.faults()

@@ -209,11 +209,6 @@ class RoundTouch(Touch):
         along = self.let(dot(self.apart, axis), "along")
         return self.named(sub(self.apart, scale(along, axis)), "e")
 
-    @property
-    def stretch(self) -> Any:
-        """Length of the gradient of the penetration [1], beside a worn contour."""
-        return self.worn and self.worn.stretch
-
     @cached_property
     def _reach(self) -> Any:
         """Distance of the centres at which contact begins [m], without wear."""
@@ -250,14 +245,6 @@ class RoundTouch(Touch):
         sign = 1 if self.pair.inside else -1
         reach = self._reach if self.worn is None else self._reach + self.worn.depth
         return self.let(sign * (self._distance - reach), "penetration")
-
-    @cached_property
-    def penetration_rate(self) -> Any:
-        """Approach speed at the centres [m/s]; of a worn contour along the gradient of the penetration."""
-        if self.worn is None:
-            return super().penetration_rate
-        along = dot(self.normal, self.relative_rate)
-        return self.let(self.worn.spin_rate - self.stretch * along, "penetration_rate")
 
     def faults(self, length: float) -> Iterator[Fault]:
         """Yield the fault of a pin that wears and may tilt."""

@@ -24,6 +24,7 @@ from worn import (
     SHAFT,
     SPIN,
     STIFFNESS,
+    TRACK,
     A,
     G,
     K,
@@ -36,6 +37,7 @@ from worn import (
     sliding,
     sphere,
     survivors,
+    track,
 )
 
 import hertzwerk.derive as hd
@@ -78,6 +80,29 @@ def test_a_sphere_wears_flat():
     assert run["wear.depth"][-1] == pytest.approx(depth, rel=1e-5)
     assert run["wear.volume"][-1] == pytest.approx(lost, rel=1e-5)
     assert run.energy_residual < 1e-8
+
+
+def test_a_sphere_wears_a_groove():
+    """Ten times along a track: R (2 h + d) is a square of the half-width, which integrates to (2 h + d)^1.5 - d^1.5 = 3 k F s/(2 H L sqrt R)."""
+    model = load(sliding(*track(16), coordinates="absolute"))
+    run = simulate(model, duration=1.0, tolerance=1e-8, method="esdirk", compiled=False)
+    lost, d = 1e4 * K * M * G * V, M * G / STIFFNESS
+    even = ((1.5 * lost / TRACK / np.sqrt(BUSH) + d**1.5) ** (2 / 3) - d) / 2
+    assert depths(run, "track", 16).mean() == pytest.approx(even, rel=3e-3)
+    assert depths(run, "track", 16) == pytest.approx(np.full(16, even), rel=0.01)
+    assert run["wear.volume"][-1] == pytest.approx(lost, rel=1e-4)
+    assert run.energy_residual < 1e-7
+    profile, _ = run.plot("wear").axes
+    assert len(profile.lines) == 5 and profile.yaxis_inverted()
+
+
+def test_unworn_spheres_may_begin_where_they_just_touch():
+    """With no area yet, and Hertz's force of none: the groove and the flat begin without a division by zero."""
+    hertz = hd.laws.power(p("hertz", "N/m^1.5", 1e9), 1.5)
+    for spot in (track(), sphere()):
+        scene = sliding(*spot[:2], spot[2] + p("sag", "um", M * G)).replace(floor=hd.Contact("floor", hertz))
+        run = simulate(load(scene), duration=1e-3, tolerance=1e-6, method="dop853", compiled=False)
+        assert run.outcome.name == "finished" and run["wear.volume"][-1] > 0
 
 
 def depths(run, surface, count):
@@ -226,6 +251,9 @@ def turned_by_half_a_sector(monkeypatch):
 
 SPOT, CONTOUR = worn_surfaces.WornSpot, worn_surfaces.WornContour
 FAULTS = {
+    "a groove one per cent too broad": (
+        test_a_sphere_wears_a_groove, worn_surfaces.WornTrack, "area", lambda self, area: area * sp.Rational(101, 100),
+    ),
     "a spot one per cent too small": (
         test_a_sphere_wears_flat, SPOT, "lost", lambda self, found: ([1.01 * found[0][0]], 1.01 * found[1]),
     ),
@@ -261,11 +289,14 @@ def test_a_fault_in_the_wear_is_seen(monkeypatch, fault):
 
 def test_wear_that_fits_no_pair_is_refused():
     """All faults at once: a pair that cannot wear, numbers that are missing or too much, sectors, a film in the gap."""
-    floor, wear = corner(area=p("area", "mm^2", 4))
+    (floor, wear), groove = corner(area=p("area", "mm^2", 4)), track()
     for text, scene in {
         "no specific wear rate": lambda: sliding(floor, replace(wear, first=None)),
         "an area for a corner": lambda: sliding(floor, replace(wear, area=None)),
-        "along a track": lambda: sliding(floor, replace(wear, second=RATE)),
+        "along its `track`": lambda: sliding(floor, replace(wear, second=RATE)),
+        "belong together": lambda: sliding(groove[0], replace(groove[1], along=None)),
+        "inclined to the plane": lambda: sliding(groove[0], replace(groove[1], along=hd.Direction((1, 1, 0)))),
+        "leave the track to its side": lambda: hd.generate(sliding(groove[0], replace(groove[1], along=hd.Z))),
         "a power of 2": lambda: journal(RATE, RATE, sectors=12),
         "a quantity in 1/Pa": lambda: hd.generate(sliding(floor, replace(wear, first=p("hardness", "Pa", 1e9)))),
     }.items():
