@@ -70,7 +70,7 @@ class Touch:
 
     @property
     def stretch(self) -> Any:
-        """Length of the gradient of the penetration [1] where it is not 1: the normal force over that by the penetration."""
+        """Normal force over that along the penetration: the length of its gradient [1]; None where it is 1."""
         return self.worn and self.worn.stretch
 
     @property

@@ -77,7 +77,7 @@ class Worn:
 
     @cached_property
     def deep(self) -> Any:
-        """Depth and half of the penetration of a sphere, twice [m]; its radius at the very onset, where it has no area."""
+        """Twice the depth and the penetration of a sphere [m]; its radius at the onset, which has no area."""
         penetration = self.touch.penetration
         return self.let(Where(penetration > 0, penetration + 2 * self.depth, self.touch.pair.radius), "deep")
 

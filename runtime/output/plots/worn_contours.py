@@ -33,7 +33,7 @@ def wears(run: EngineSolution) -> list[str]:
 
 
 def worn_surfaces(run: EngineSolution, wear: str) -> dict[str, Array]:
-    """Depths (sectors, times) [m] of pin and bush, or of a track, by name, of those that wear; empty for one spot."""
+    """Depths (sectors, times) [m] of the pin, bush or track that wears, by name; empty for one spot."""
     names = {
         surface: [f"{wear}.{surface}_{k + 1}" for k in range(len(run.engine.model.coordinates))] for surface in COLOURS
     }
@@ -51,7 +51,7 @@ def contour(depths: Array, angles: Array) -> Array:
 
 
 def plot_wear(run: EngineSolution, wear: str) -> Figure:
-    """Draw the worn contours at five instants, the depth over the angle or along the track, and the volume lost."""
+    """Draw the worn contours at five instants, also unrolled, and the volume lost."""
     curves, surfaces = Curves.of(run), worn_surfaces(run, wear)
     rows = np.unique(np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], INSTANTS + 1)[1:]))
     track = "track" in surfaces
