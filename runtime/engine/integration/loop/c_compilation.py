@@ -47,8 +47,8 @@ LOOP, EACH = "\n  for (i=0, rr=", "\n  EACH (i=0, rr="
 INDEPENDENT = '#define EACH _Pragma("GCC ivdep") for\n'
 PATIENCE = 0.1  # s between two polls
 _OPERATION = re.compile(r"^ +/\* #\d+: .* \*/\n", re.MULTILINE)  # CasADi's comment on an operation of a graph
-# s of the processor: within 2 of what 10 programs of 1 to 300 pairs took; a loop takes as long as 200 characters
-BEGIN_S, PER_CHARACTER_S = 0.1, {OFTEN: 10e-6, SELDOM: 7e-6}
+# s of the processor: within 2 of what 10 programs of 1 to 300 pairs took; a loop takes as long as 130 characters
+BEGIN_S, PER_CHARACTER_S = 0.1, {OFTEN: 17e-6, SELDOM: 9e-6}
 PER_LOOP_S = {OFTEN: 2.2e-3, SELDOM: 0.8e-3}
 
 

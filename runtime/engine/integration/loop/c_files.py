@@ -1,32 +1,33 @@
 """Division of the C text of CasADi functions into files, functions and loops that compile fast.
 
 A compiler takes a time, and a memory, that grow with the square of a function's length, every condition costs it a
-branch, and a loop as much as 200 characters. What is compiled gives the same bits.
+branch, and a loop as much as 130 characters. What is compiled gives the same bits.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
 from hertzwerk.runtime.engine.integration.loop.attempt import FINISH
 
-# Characters of a function beyond which it is made of parts, and of a part. At 150,000 an implicit step in two parts takes a sixth longer and compiles
-# no faster; one of 780,000 takes 4 % longer and compiles in half the time.
-LONG, PART = 300_000, 100_000
-FILE = 500_000  # characters of a file: its compiler takes up to 250 MB
+# Characters of a function beyond which it is made of parts, and of a part. At 90,000 an implicit step in two parts takes a sixth longer and compiles
+# no faster; one of 470,000 takes 4 % longer and compiles in half the time.
+LONG, PART = 180_000, 60_000
+FILE = 300_000  # characters of a file: its compiler takes up to 250 MB
 BESIDE = (
-    10_000  # characters of a function up to which it stays in the file of those that call it, where it may be inlined
+    6_000  # characters of a function up to which it stays in the file of those that call it, where it may be inlined
 )
 OFTEN, SELDOM = "-O3", "-O1"  # level by how often a function runs; of steps with events alone -O3 makes no run faster
-# characters of what an exported function needs, up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1
-LARGE = 1_500_000
+# characters of what an exported function needs, up to which -O3 is worth its compilation; 10 pairs: 660,000, 1.5 times as fast as with -O1
+LARGE = 900_000
 # conditions of a function beyond which each is a mask of bits, not a branch: ball_bearing's `decide`, of 819, compiles in half the time
 CHOICES = 60
+NESTED = 200  # characters of a value up to which it is written where it is read; compilers limit the depth of brackets
 EXPORTED = ""  # stands for the functions that a library shows, which call the others
 
 _ARGUMENTS = "(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem)"
@@ -182,7 +183,7 @@ def _straight(function: re.Match[str]) -> str:
     name, body = function.groups()
     if len(_CHOICE.findall(body)) > CHOICES:
         body = _CHOICE.sub(r"casadi_chosen(\1, \2)", body)
-    body = _RESULT.sub(r"y\1[\2]=", _ARGUMENT.sub(r"x\1[\2]", body))
+    body = _nested(_RESULT.sub(r"y\1[\2]=", _ARGUMENT.sub(r"x\1[\2]", body)))
     head = f"static int {name}{_ARGUMENTS} {{\n"
     if len(body) <= LONG:
         return f"{head}{_declared(body)}{body}  return 0;\n}}\n"
@@ -194,6 +195,38 @@ def _straight(function: re.Match[str]) -> str:
     )
     calls = "".join(f"  {name}_{i}(arg, res, v);\n" for i in range(len(parts)))
     return f"{made}{head}  casadi_real v[{size}];\n{calls}  return 0;\n}}\n"
+
+
+def _nested(body: str) -> str:
+    """Return statements with each value that one other reads written there.
+
+    Not written there is a value that a condition may leave out, as a branch costs more.
+    CasADi writes a statement for each operation, in twice the characters.
+    """
+    rows = _named([line[2:-1].split("=", 1) for line in body.splitlines()], again=False)
+    reads = Counter(name for _, value in rows for name in _VARIABLE.findall(value) + re.findall(r"\?(a\d+)", value))
+    values, statements = dict[str, str](), []
+    for target, value in rows:
+        value = _VARIABLE.sub(lambda match: values.get(match[0], match[0]), value)
+        if reads[target] == 1 and len(value) < NESTED:
+            values[target] = value if value[-1] == ")" else f"({value})"
+        else:
+            statements.append([target, value])
+    return "".join(f"  {target}={value};\n" for target, value in _named(statements, again=True))
+
+
+def _named(rows: list[list[str]], *, again: bool) -> list[list[str]]:
+    """Return statements, each a target and its value, with a name for each value.
+
+    again: whether a name is used again after the last reader of its value
+    """
+    free, made = [f"a{i}" for i in reversed(range(len(rows)))], []
+    names: dict[str, str] = defaultdict(free.pop)
+    for target, value in reversed(rows):
+        name = names.pop(target, target)  # results keep theirs
+        free += [name] * (again and name[0] == "a")
+        made.append([name, _VARIABLE.sub(lambda match: names[match[0]], value)])
+    return made[::-1]
 
 
 def _declared(body: str) -> str:
