@@ -118,8 +118,15 @@ class Model:
         return made.step() if name == "step" else getattr(made, name)
 
     def evaluate(self, name: str, *arguments: float | np.ndarray) -> list[np.ndarray]:
-        """Evaluate one of the module's functions on numbers and vectors, in SI; its results as vectors."""
-        return self.engine.evaluate(name, *arguments)
+        """Evaluate one of the module's functions on numbers and vectors, in SI; its results as vectors.
+
+        Raises InputError for an unknown function, and for arguments of another number or size.
+        """
+        try:
+            return self.engine.evaluate(name, *arguments)
+        except (TypeError, ValueError) as error:
+            expected = "numbers and vectors as the module documents them"
+            raise InputError(self.name, [Fault(f"arguments of {name}", str(error), expected)]) from None
 
     def equations(self) -> Readable:
         """Return the equations of the model for people, derived anew from its scene.

@@ -32,6 +32,9 @@ GIVEN |= {
     "LAWS": {"floor": ["flores", "hunt_crossley"]},
 }
 GIVEN["run"] = runtime.simulate("bouncing_ball", **GIVEN["HOW"], sensitivities=["mass"])
+GIVEN["limit"] = runtime.rigid_limit("bouncing_ball", runtime.RigidImpact(0.5), **GIVEN["HOW"])
+GIVEN["table"] = runtime.simulate_many("bouncing_ball", [{}], **GIVEN["HOW"], workers=1)
+GIVEN["still"] = runtime.modes("bouncing_ball")
 GIVEN["wave"] = runtime.Measurement(T, {"vertical.travel": 1.1 - 4.905 * T**2}, {"vertical.travel": "m"})
 
 WRONG = """
@@ -140,6 +143,7 @@ sweep(ball, {"mass": "1, 2 kg"}, **HOW, continued="left")  ->  continued
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, functions={"mass": len})  ->  the name of another column
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, workers=1.5)  ->  workers: found 1.5
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, out=5)  ->  out: found 5
+sweep(ball, {"mass": "1, 2 kg"}, **HOW, out="rows", widen="no")  ->  widen: found 'no'
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, without=["gravety"])  ->  gravety
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, progress=3)  ->  progress: found 3
 propagate(ball, {"mass": "1 kg"}, **HOW)  ->  mass
@@ -219,6 +223,7 @@ fit_moments(ball, {"vertical.travel.rms": None}, free=FREE, series=MeasuredSerie
 fit_moments(ball, {"x.rms": None}, free=FREE, series=MeasuredSeries(wave, noise=3))  ->  noise: found 3
 fit_moments(ball, {"x.rms": None}, free=FREE, series=MeasuredSeries(wave, map=3))  ->  map: found 3
 fit_moments(ball, {"final.vertical.travel": "1 +- 0.1 m"}, free=FREE, duration="1 s", seed=1.5)  ->  seed: found 1.5
+fit_moments(ball, {"floor.impact_rate": "9 +- 1 1/s"}, free=FREE, duration="1 s", independent="no")  ->  independent: found 'no'
 equilibrium(3)  ->  target: found 3
 equilibrium("bouncing_bal")  ->  did you mean bouncing_ball
 equilibrium(ball, at="soon")  ->  at: found 'soon'
@@ -243,7 +248,14 @@ rigid_limit(ball, {"flor": RigidImpact(0.5)}, **HOW)  ->  flor
 rigid_limit(ball, RigidImpact(0.5), **HOW, stiffness=3)  ->  3
 rigid_limit(ball, RigidImpact(0.5), **HOW, factors=T)  ->  factors: found array
 rigid_limit(ball, RigidImpact(0.5), **HOW, impacts=2)  ->  impacts: found 2
+rigid_limit(ball, RigidImpact(0.5), **HOW, impacts=T)  ->  impacts: found array
 rigid_limit(ball, RigidImpact(0.5), duration="1 s", accuracy="high")  ->  accuracy: found 'high'
+limit["height"]  ->  no coordinate or speed of this name
+limit.at("vertical.travel", "soon")  ->  times: found 'soon'
+limit.at("vertical.travel", 0.5)  ->  some outside the run
+limit.gaps("1 kg")  ->  which is kg
+still.plot("all")  ->  count: found 'all'
+table.load(3)  ->  folder: found 3
 compare(run, run)  ->  data: found a run
 compare(run, 3)  ->  data: found 3
 compare(run, "no_such.csv")  ->  no_such.csv
@@ -251,6 +263,7 @@ compare(run, wave, map={"a": "vertical.travel"})  ->  a
 compare(run, wave, map={"vertical.travel": "b"})  ->  b
 compare(run, wave, order=0)  ->  order: found 0
 compare(run, wave, order="four")  ->  order: found 'four'
+compare(run, wave, zero_phase="no")  ->  zero_phase: found 'no'
 compare(run, wave, bandwidth="5 rad/s")  ->  bandwidth: found '5 rad/s'
 compare(run, wave, noise="1 mm")  ->  noise: found '1 mm'
 compare(run, wave, offset="2..1 ms")  ->  the lower end first
@@ -276,6 +289,7 @@ read_measurement({"t [s]": T}, decimal=T)  ->  decimal: found array
 read_measurement("no_such.csv")  ->  no_such.csv
 read_measurement({"t [s]": [0, 1], "x [m]": [0, 1]}, columns=5)  ->  columns: found 5
 read_measurement({"t [s]": [0, 1], "x [m]": [0, 1]}, units="m")  ->  units: found 'm'
+read_measurement({"t [s]": [0, 1], "x [m]": [0, 1]}, units={"x": 3})  ->  units: found {'x': 3}
 read_measurement({"t [s]": [0, 1], "x [m]": [0, 1]}, missing=None)  ->  missing: found None
 read_measurement({"t [s]": [0, 1], "x": [0, 1]})  ->  x
 read_impacts({"t [s]": [0, 1]})  ->  impact
@@ -306,6 +320,8 @@ run.sensitivities("mass")["height", "mass"]  ->  no history 'height'
 run.sensitivities("mass")[3, "mass"]  ->  no history 3
 run.sensitivities("mass")[3]  ->  no history 3
 run.sensitivities("mass").at([0.005], "height", "mass")  ->  no history 'height'
+run.sensitivities("mass").at("soon", "vertical.travel", "mass")  ->  times: found 'soon'
+run.sensitivities("mass").at(9.0, "vertical.travel", "mass")  ->  some outside the run
 run.sensitivities("mass")["vertical.travel", "mas"]  ->  did you mean mass
 run.sensitivities("mass")["vertical.travel"]  ->  expected one of mass
 run.with_histories("height")  ->  no history 'height'
@@ -320,6 +336,7 @@ run.animate("film.avi")  ->  film.avi
 run.animate("film.gif", fps=0)  ->  fps
 Solution.load("no_such.npz")  ->  no_such.npz
 Solution.load(3)  ->  path: found 3
+ball.evaluate("energy")  ->  arguments of energy
 ball.function("gap")  ->  did you mean gaps
 ball.function(T)  ->  a function named by ndarray
 ball.function("step", method=T)  ->  a method named by ndarray
@@ -376,6 +393,10 @@ list(run)
 run["vertical.travel", "mm"]
 run.at(0.005)
 run.at("5 ms")["vertical.travel"]
+repr(run.at([]))
+run.sensitivities("mass").at("5 ms", "vertical.travel", "mass")
+limit.at("vertical.travel", "5 ms")
+limit.get("height", 0)
 run.extremes("vertical.travel").highest
 run.continued("20 ms")
 run.sensitivities()["vertical.travel", "mass"]

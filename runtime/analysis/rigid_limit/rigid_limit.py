@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, among, shown, unknown
 from hertzwerk.derive.common.markup import heading, joined, table, tag
 from hertzwerk.runtime.analysis.rigid_limit.rigid_equations import Equations, distance_of, refused, tangent_faults
 from hertzwerk.runtime.analysis.rigid_limit.rigid_impact import RigidImpact, read_impacts
 from hertzwerk.runtime.analysis.rigid_limit.rigid_run import LEAST_STEPS, Accumulation, Motion, RigidImpulse, RigidRun
-from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.binding import Value, times_within
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.run_request import Settings, is_real, progress_faults, read
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END, Outcome
@@ -74,7 +74,7 @@ class RigidLimit(Mapping[str, Array]):
     def _place(self, name: str) -> int:
         names = [*self]
         if name not in names:
-            raise InputError(self.model.name, [unknown("coordinate or speed", name, names)])
+            raise KeyError(str(unknown("coordinate or speed", name, names)))
         return names.index(name)
 
     def __iter__(self) -> Iterator[str]:
@@ -135,14 +135,22 @@ class RigidLimit(Mapping[str, Array]):
         apart = np.max(np.abs(_apart(self.motion, finer.impulses)), initial=0.0)
         return float(apart), float(np.max(np.abs(self.motion.y[-1] - finer.y[-1]) / sizes))
 
-    def at(self, name: str, times: Sequence[float] | Array) -> Array:
-        """Return a coordinate or speed at times [s] within the run, after an impact at the same instant."""
-        return self.motion.at(np.atleast_1d(np.asarray(times, dtype=float)))[:, self._place(name)]
+    def at(self, name: str, times: Value | Sequence[float] | Array) -> Array:
+        """Return a coordinate or speed (n,) at one or more times of the run [s], after an impact at the same instant.
 
-    def gaps(self, times: Array) -> Array:
-        """Return the gaps [m] (n, k) of all pairs at times [s] (n,)."""
-        states, distance = self.motion.at(times), distance_of(self.model)
-        return np.array([distance(t, y[: self.model.nq], self.c)[0] for t, y in zip(times, states, strict=True)])
+        Raises InputError for what is no time of the run.
+        """
+        return self._states(times)[1][:, self._place(name)]
+
+    def gaps(self, times: Value | Sequence[float] | Array) -> Array:
+        """Return the gaps [m] (n, k) of all pairs at times (n,), as `at` takes them."""
+        read, states = self._states(times)
+        distance = distance_of(self.model)
+        return np.array([distance(t, y[: self.model.nq], self.c)[0] for t, y in zip(read, states, strict=True)])
+
+    def _states(self, times: Any) -> tuple[Array, Array]:
+        read = times_within(times, self.motion.t[0], self.motion.t[-1])
+        return read, self.motion.at(read)
 
     @property
     def orders(self) -> list[float]:
@@ -266,7 +274,7 @@ def rigid_limit(
     model: EngineModel = engine_model(target)
     faults = [*refused(model), *progress_faults(progress)]
     values, wanted = stated_values(model, parameters, initial, faults)
-    if impacts not in (TOGETHER, IN_TURN):
+    if not among(impacts, TOGETHER, IN_TURN):
         faults.append(Fault("impacts", shown(impacts), f'"{TOGETHER}" or "{IN_TURN}"'))
     if stiffness and stiffness not in model.parameters:
         faults.append(unknown("parameter", stiffness, model.parameters))

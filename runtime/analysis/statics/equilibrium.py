@@ -27,7 +27,7 @@ from hertzwerk.runtime.analysis.statics.relaxation import Rest, Search
 from hertzwerk.runtime.engine.inputs.input_values import Input, with_input_values
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import turns
 from hertzwerk.runtime.engine.model import build
-from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.binding import Value, flag_faults
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.signal import constant
@@ -271,9 +271,7 @@ def equilibrium(
                                                "simulate: a run ends where they rest.")])  # fmt: skip
     faults: list[Fault] = []
     values, wanted = stated_values(model, parameters, initial, faults)
-    if not isinstance(nearest, bool):
-        faults.append(Fault("nearest", shown(nearest), "True or False"))
-    refuse(model.name, faults)
+    refuse(model.name, [*faults, *flag_faults(nearest=nearest)])
     t = _time(model, at)
     model = inputs_at(model, inputs, t)
     still = held(model)

@@ -20,7 +20,7 @@ import numpy as np
 import scipy.linalg
 from numpy.typing import NDArray
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
 from hertzwerk.derive.common.markup import heading, table
 from hertzwerk.runtime.analysis.statics.balance import RANK, UNDAMPED, kernel
 from hertzwerk.runtime.analysis.statics.equilibrium import Equilibrium, dents_of, equilibrium, inputs_at
@@ -29,7 +29,7 @@ from hertzwerk.runtime.engine.integration.step.implicit_step import linearised
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT
 from hertzwerk.runtime.engine.integration.step.redundant_constraints import relax_redundant
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import NO_PAIR, pair_grips, pairs_of, sticking
-from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.binding import Value, whole_faults
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
@@ -265,6 +265,7 @@ class Modes(Sequence[Mode]):
         """
         from hertzwerk.runtime.output.drawings.mode_shapes import of_shapes
 
+        refuse(self.model.name, whole_faults(count=count))
         shown = [(i, mode) for i, mode in enumerate(self.modes, 1) if mode.eigenvalue][:count]
         if not shown:
             raise InputError(self.model.name, [Fault("plot", "no mode that vibrates or changes", "one at least")])

@@ -279,7 +279,7 @@ def _option_faults(reading: Reading) -> list[Fault]:
         isinstance(columns, list | tuple | Mapping) and all(isinstance(name, str) for name in columns)
     ):
         faults.append(Fault("columns", shown(columns), 'names, ["force"], or names beside headings, {"force": "CH 2"}'))
-    if not isinstance(units, Mapping | None):
+    if units is not None and not (isinstance(units, Mapping) and all(isinstance(unit, str) for unit in units.values())):
         faults.append(Fault("units", shown(units), 'unit texts by column, {"force": "N"}'))
     if not isinstance(missing, str | int | float | list | tuple | set):
         faults.append(Fault("missing", shown(missing), "texts of cells without a sample"))

@@ -187,6 +187,15 @@ def si_of_all(where: str, unit: str, values: Any) -> np.ndarray:
     return np.atleast_1d(np.asarray(factor * numbers if factor != 1 else numbers))
 
 
+def times_within(times: Any, first: float, last: float) -> np.ndarray:
+    """Return one or more times of a run [s] as an array (n,); raises InputError, also outside the run."""
+    read = si_of_all("times", "s", times)
+    if read.ndim != 1 or not (read.min(initial=first) >= first and read.max(initial=last) <= last):
+        expected = f"them within {first:g}..{last:g} s"
+        raise InputError("times", [Fault("times", "some outside the run, or not in one row", expected)])
+    return read
+
+
 def read_time(where: str, text: str, expected: str, faults: list[Fault]) -> float:
     """Return the seconds of text such as "24 ms"; nan and a fault if it is no positive time."""
     try:
@@ -208,6 +217,11 @@ def whole_faults(**numbers: object) -> list[Fault]:
         for name, value in numbers.items()
         if not isinstance(value, int) or isinstance(value, bool) or not 0 <= value < 2**63
     ]
+
+
+def flag_faults(**flags: object) -> list[Fault]:
+    """Return a fault for each of these that is neither True nor False."""
+    return [Fault(name, shown(value), "True or False") for name, value in flags.items() if not isinstance(value, bool)]
 
 
 def _exponents(ports: Mapping[str, Port]) -> dict[str, float]:

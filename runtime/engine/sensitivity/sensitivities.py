@@ -23,7 +23,7 @@ from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
 from hertzwerk.runtime.engine.accuracy.error_estimate import VALID
 from hertzwerk.runtime.engine.integration.events.effect_events import jump
 from hertzwerk.runtime.engine.integration.step.layout import FLIGHT
-from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.binding import Value, times_within
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.free_quantities import quantities
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
@@ -167,9 +167,13 @@ class Sensitivities:
         everywhere = np.arange(len(self.history.rows))
         return self._at(everywhere, np.zeros(len(everywhere)), self.history.known(name))[:, self._column(to)]
 
-    def at(self, times: np.ndarray, name: str, to: str) -> np.ndarray:
-        """Return the derivative of a history at any times [s] of the run; at an event, that just after it."""
-        return self.along(times, name)[:, self._column(to)]
+    def at(self, times: Value | Sequence[float] | np.ndarray, name: str, to: str) -> np.ndarray:
+        """Return the derivative (n,) of a history at one or more times of the run [s]; at an event, that just after it.
+
+        Raises InputError for what is no time of the run.
+        """
+        t = self.history.t
+        return self.along(times_within(times, t[0], t[-1]), name)[:, self._column(to)]
 
     def along(self, times: np.ndarray, name: str) -> np.ndarray:
         """Return the derivatives (n, P) of a history by all `names`, at times (n,) as `at` has them."""

@@ -18,7 +18,7 @@ from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE, C
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, ENERGY_PARTS, FLIGHT
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips_of, groups_of, turns
-from hertzwerk.runtime.engine.model.binding import si_of_all
+from hertzwerk.runtime.engine.model.binding import si_of_all, times_within
 from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.derived_histories import Units, evaluate
 from hertzwerk.runtime.engine.model.model import EngineModel
@@ -106,7 +106,8 @@ class History(Histories):
         return isinstance(name, str) and name in self.units
 
     def __repr__(self) -> str:
-        return f"<History {self.model.name}: {len(self)} names over {len(self.t)} times, {self.t[0]:g} to {self.t[-1]:g} s>"
+        span = f", {self.t[0]:g} to {self.t[-1]:g} s" if len(self.t) else ""
+        return f"<History {self.model.name}: {len(self)} names over {len(self.t)} times{span}>"
 
     @property
     def t(self) -> np.ndarray:
@@ -337,10 +338,7 @@ class History(Histories):
         t = self.part("t")[:, 0]
         if not self.steps:
             return self._rows_at(times)
-        if times.ndim != 1 or not (times.min(initial=t[0]) >= t[0] and times.max(initial=t[-1]) <= t[-1]):
-            raise ValueError(
-                f"found times outside the run, or not in one row; expected them within {t[0]:g}..{t[-1]:g} s"
-            )
+        times = times_within(times, t[0], t[-1])
         index = t.searchsorted(times, side="right") - 1
         history = self.between(index, times - t[index], compared=compared)
         history.part("t")[:, 0] = times  # not t + (time - t), which may differ in the last digit

@@ -233,7 +233,7 @@ class EngineSolution(Histories):
         """Return histories at one or more times of the run [s]; one time may have a unit, "2 ms".
 
         Interpolated by the method's own step and order, under the modes of the step that covers each time. Raises InputError for what is
-        no time, ValueError for times outside the run, and between the rows of a run that kept a grid or was saved.
+        no time of the run, ValueError between the rows of a run that kept a grid or was saved.
         """
         return self.engine.history.at(si_of_all("times", "s", times))
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.units import UnitError, parse_unit, rate_remedy
 from hertzwerk.runtime.engine.inputs.measurement_csv import Columns, MeasuredTable, Measurement, read_measurement
-from hertzwerk.runtime.engine.model.binding import Value, named_values, read, read_state
+from hertzwerk.runtime.engine.model.binding import Value, flag_faults, named_values, read, read_state
 from hertzwerk.runtime.engine.solution.history import Histories
 from hertzwerk.runtime.studies.comparison.alignment import Range
 from hertzwerk.runtime.studies.comparison.instrument import ORDERS, Instrument
@@ -154,6 +154,7 @@ def _instrument(
     bandwidth: str | float | None, order: object, zero_phase: bool, faults: list[Fault]
 ) -> Instrument | None:
     whole = isinstance(order, int) and not isinstance(order, bool) and ORDERS[0] <= order <= ORDERS[1]
+    faults += flag_faults(zero_phase=zero_phase)
     if not whole:
         faults.append(Fault("order", shown(order), f"a whole number in {ORDERS[0]}..{ORDERS[1]}"))
     if bandwidth is None:

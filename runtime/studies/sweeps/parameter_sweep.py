@@ -24,7 +24,7 @@ from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unk
 from hertzwerk.runtime.engine.inputs.input_values import Input, input_text, with_input_values
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, Choices, read_choices, units_of_inputs
 from hertzwerk.runtime.engine.model import model as plain
-from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.binding import Value, flag_faults
 from hertzwerk.runtime.engine.model.generated_text import text_of
 from hertzwerk.runtime.engine.model.si_values import si_units
 from hertzwerk.runtime.engine.model.signal import digest_of
@@ -239,7 +239,7 @@ def sweep(
     own, states = stated_values(model, parameters, initial, faults)
     fixed = {name: number_and_unit(value) for name, value in {**own, **states}.items()}
     model, wrong = with_input_values(model, inputs, duration, {})
-    faults += [*wrong, *progress_faults(progress)]
+    faults += [*wrong, *progress_faults(progress), *flag_faults(widen=widen)]
     varied = {**_varied(model, over, fixed, faults), **dict.fromkeys(choices.signals, "")}
     design = replace(design, fixed=fixed)
     chains = read_chains(model, design, varied, continued, faults)

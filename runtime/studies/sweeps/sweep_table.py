@@ -34,6 +34,7 @@ from hertzwerk.runtime.studies.sweeps.row_summary import Summary
 from hertzwerk.runtime.studies.sweeps.rows.array_table import Arrays
 from hertzwerk.runtime.studies.sweeps.rows.row import TEXTS, Row
 from hertzwerk.runtime.system.lazy import cached_property
+from hertzwerk.runtime.system.result_folder import as_path
 from hertzwerk.runtime.system.versions import versions
 
 if TYPE_CHECKING:
@@ -154,7 +155,7 @@ class Sweep:
         """Read the stored rows of a sweep from its folder, also during the sweep; raises InputError."""
         from hertzwerk.runtime.studies.sweeps.stored_rows import loaded
 
-        return loaded(Path(folder))
+        return loaded(as_path("folder", folder))
 
     def __repr__(self) -> str:
         return f"<Sweep {self.scene}: {self._summary()}>"

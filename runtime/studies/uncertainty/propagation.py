@@ -19,7 +19,7 @@ import numpy as np
 from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown
 from hertzwerk.runtime.engine.inputs.input_values import Input
 from hertzwerk.runtime.engine.model import model as plain
-from hertzwerk.runtime.engine.model.binding import Value, whole_faults
+from hertzwerk.runtime.engine.model.binding import Value, flag_faults, whole_faults
 from hertzwerk.runtime.engine.model.free_quantities import quantities
 from hertzwerk.runtime.engine.run.continuation import with_steps
 from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, duration_follows
@@ -170,9 +170,7 @@ def _sample_faults(sample: object, indices: object) -> list[Fault]:
     if not whole or not LEAST <= sample <= MOST or sample & (sample - 1):  # type: ignore[operator]
         expected = f"a power of two, {LEAST} to {MOST:,}, as Sobol points are balanced"
         faults.append(Fault("sample", shown(sample), expected))
-    if not isinstance(indices, bool):
-        faults.append(Fault("indices", shown(indices), "True or False"))
-    return faults
+    return [*faults, *flag_faults(indices=indices)]
 
 
 def refused_by_sweep(model: plain.EngineModel, arguments: Mapping[str, Any], workers: int | None) -> list[Fault]:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
-from hertzwerk.runtime.engine.model.binding import Value, read_state, whole_faults
+from hertzwerk.runtime.engine.model.binding import Value, flag_faults, read_state, whole_faults
 from hertzwerk.runtime.engine.model.free_quantities import Free, read_free
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.ranges import Range, hypercube
@@ -174,7 +174,7 @@ def read_moment_fit(
                of the measured series, each with values of its own that it was made at
     how        further arguments of `sweep`
     """
-    faults = [*before, *whole_faults(seed=seed)]
+    faults = [*before, *whole_faults(seed=seed), *flag_faults(independent=independent)]
     freed = read_free(model, free, faults)
     stated: list[Moment] = []
     half_widths: list[str] = []

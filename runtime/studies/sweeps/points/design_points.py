@@ -20,7 +20,7 @@ import numpy as np
 from hertzwerk.derive.common.faults import Fault, shown, unknown
 from hertzwerk.derive.common.units import UnitError
 from hertzwerk.runtime.engine.inputs.inputs_by_row import Labels
-from hertzwerk.runtime.engine.model.binding import Value, read, whole_faults
+from hertzwerk.runtime.engine.model.binding import Value, flag_faults, read, whole_faults
 from hertzwerk.runtime.engine.model.ranges import EXPECTED, MOST, NUMBER, Range, RangeValues, ValueWithUnit, read_range
 from hertzwerk.runtime.system.lazy import cached_property
 
@@ -142,9 +142,7 @@ def read_design(
         faults.append(
             Fault("sample", str(sample), f"a power of two, as Sobol points are balanced: {below} or {2 * below}")
         )
-    faults += whole_faults(seed=seed)
-    if not isinstance(zip, bool):
-        faults.append(Fault("zip", shown(zip), "True or False"))
+    faults += [*whole_faults(seed=seed), *flag_faults(zip=zip)]
     if zip is True and sample is not None:
         faults.append(Fault("zip", "beside sample", "one of the two", "samples already take one value of each"))
     counts = {name: len(axis) for name, axis in axes.items() if not isinstance(axis, Range)}
