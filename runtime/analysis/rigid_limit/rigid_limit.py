@@ -136,9 +136,9 @@ class RigidLimit(Mapping[str, Array]):
         return float(apart), float(np.max(np.abs(self.motion.y[-1] - finer.y[-1]) / sizes))
 
     def at(self, name: str, times: Value | Sequence[float] | Array) -> Array:
-        """Return a coordinate or speed (n,) at one or more times of the run [s], after an impact at the same instant.
+        """Return a coordinate or speed (n,) at one or more times of the run [s].
 
-        Raises InputError for what is no time of the run.
+        At an impact it is that just after it. Raises InputError for what is no time of the run.
         """
         return self._states(times)[1][:, self._place(name)]
 

@@ -188,7 +188,7 @@ def si_of_all(where: str, unit: str, values: Any) -> np.ndarray:
 
 
 def times_within(times: Any, first: float, last: float) -> np.ndarray:
-    """Return one or more times of a run [s] as an array (n,); raises InputError, also outside the run."""
+    """Return one or more times [s] of a run as an array (n,); raises InputError, also outside it."""
     read = si_of_all("times", "s", times)
     if read.ndim != 1 or not (read.min(initial=first) >= first and read.max(initial=last) <= last):
         expected = f"them within {first:g}..{last:g} s"

@@ -168,9 +168,9 @@ class Sensitivities:
         return self._at(everywhere, np.zeros(len(everywhere)), self.history.known(name))[:, self._column(to)]
 
     def at(self, times: Value | Sequence[float] | np.ndarray, name: str, to: str) -> np.ndarray:
-        """Return the derivative (n,) of a history at one or more times of the run [s]; at an event, that just after it.
+        """Return the derivative (n,) of a history at one or more times of the run [s].
 
-        Raises InputError for what is no time of the run.
+        At an event it is that just after it. Raises InputError for what is no time of the run.
         """
         t = self.history.t
         return self.along(times_within(times, t[0], t[-1]), name)[:, self._column(to)]
