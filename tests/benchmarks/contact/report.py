@@ -102,14 +102,16 @@ def page() -> str:
     results = measured()
     rows = [row for own in results.values() for row in own]
     versions = {row["peer"]: row["version"] for row in rows if row["version"]}
-    states = sorted({(row["date"], row["machine"], row["python"]) for row in rows})
+    days: dict[str, set[str]] = {}
+    for row in rows:
+        days.setdefault(f"{row['machine']}; Python {row['python']}", set()).add(row["date"])
     loads = [float(row["load"]) for row in rows if row["load"]]
     parts = [
         INTRODUCTION.rstrip(),
         "",
         "Versions: " + ", ".join(f"{name} {version}" for name, version in sorted(versions.items())) + ".",
         "",
-        *(f"Measured on {day}: {machine}; Python {python}." for day, machine, python in states),
+        *(f"Measured on {' and '.join(sorted(own))}: {where}." for where, own in sorted(days.items())),
         f"The load of the machine was {min(loads):.1f} to {max(loads):.1f}." if loads else "",
         "",
     ]
@@ -137,6 +139,7 @@ A cell names the integrator and its tolerance, accuracy or step. All tighter set
 
 The time is that of the call a user makes, after a warm-up. Building and compiling a model is not in it.
 Times are medians, and the peers alternate. References are in extended precision.
+Load raises times, and it varied. Compare the times of one problem, not those of two.
 
 Peers differ in what they take. SciPy and heyoka take equations that a person wrote, and have no search for contacts.
 C++ and CVODE are programs for one mechanism, and their time is that of the run within the program.
