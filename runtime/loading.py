@@ -6,6 +6,7 @@ import importlib
 import importlib.util
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.output.tables.history_meanings import Histories
 
 
+KEPT = 8  # models of built-in scenes whose functions stay for further runs, some MB each
 OF_FLOW, OF_LOOP = ("rates", "ends", "holding"), ("begin", "step", "attempt")  # functions beside the module's
 
 
@@ -216,7 +218,7 @@ def engine_model(
     if isinstance(target, str) and not varied and target.isidentifier():
         name = f"hertzwerk.generated.{target}"
         if importlib.util.find_spec(name) is not None:
-            return EngineModel(importlib.import_module(name), Declaration(target))
+            return _built_in(target)
     from hertzwerk.runtime.engine.model import build
 
     laws = {effect: build.located_laws(law, Path.cwd()) for effect, law in (laws or {}).items()}
@@ -229,6 +231,12 @@ def engine_model(
         model = EngineModel(scene)
         return _varied(model, without, laws, coordinates) if varied else model
     return EngineModel(build.build(build.vary(scene, without, laws, coordinates), source), Declaration(scene, *how))
+
+
+@lru_cache(maxsize=KEPT)
+def _built_in(name: str) -> EngineModel:
+    """Return the model of a built-in scene, with what earlier runs built of it."""
+    return EngineModel(importlib.import_module(f"hertzwerk.generated.{name}"), Declaration(name))
 
 
 def _varied(

@@ -29,6 +29,27 @@ def pytest_collection_finish():
     gc.enable()
 
 
+@pytest.fixture(autouse=True)
+def built_in_models(request):
+    """Share models of built-in scenes, but not with a test that plants faults, nor after one that compiled."""
+    from hertzwerk.runtime import loading
+    from hertzwerk.runtime.engine.integration.loop import c_compilation
+
+    class Program(c_compilation.Program):
+        def __init__(self, *functions, **options):
+            compiled.append(functions)
+            super().__init__(*functions, **options)
+
+    compiled, alone = [], "monkeypatch" in request.fixturenames
+    if alone:
+        loading._built_in.cache_clear()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(c_compilation, "Program", Program)
+        yield
+    if alone or compiled:
+        loading._built_in.cache_clear()
+
+
 @pytest.fixture(scope="session")
 def restitutions(tmp_path_factory, worker_id):
     """The restitution study of all damping laws, computed by the first process that asks."""

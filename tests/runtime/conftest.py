@@ -7,9 +7,11 @@ from hertzwerk.runtime.loading import engine_model
 
 
 @pytest.fixture(autouse=True)
-def little_optimised(monkeypatch):
+def little_optimised():
     """Compile in a third of the time: what -O1 makes is compared in engine/integration/step/test_engine.py, what -O3 makes in hard_cases/."""
-    monkeypatch.setattr(c_compilation, "FLAGS", (*c_compilation.FLAGS, "-O0"))  # the last one counts
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(c_compilation, "FLAGS", (*c_compilation.FLAGS, "-O0"))  # the last one counts
+        yield
 
 
 @pytest.fixture(scope="session")

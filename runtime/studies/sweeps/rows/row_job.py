@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import math
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
@@ -123,6 +124,8 @@ class Job:
 
     def prepare(self) -> None:
         """Build what all rows need, compiled where that saves time; raises InputError without a compiler."""
+        if Needs.SUMS in self.needs:
+            importlib.import_module("scipy.special")  # of confidence intervals: once, not in every forked process
         settings = self.settings
         compared = settings.request is not None
         self.compiled = prepare(

@@ -1,12 +1,13 @@
 """What is computed once per model: kept by function and arguments, freed with the model."""
 
+import copy
 import gc
 import math
 import weakref
 
 import pytest
 
-from hertzwerk.runtime import InputError, simulate
+from hertzwerk.runtime import InputError, load, simulate
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.run.run_request import _key
 from hertzwerk.runtime.loading import engine_model
@@ -23,7 +24,8 @@ class Calls(list):
 
 
 def test_results_are_kept_by_function_and_arguments():
-    one, other, calls = engine_model("bouncing_ball"), engine_model("bouncing_ball"), Calls()
+    one, calls = engine_model("bouncing_ball"), Calls()
+    other = copy.copy(one)
     first = counted(one, calls, "a")
     assert counted(one, calls, "a") is first
     assert counted(one, calls, "b") is not first
@@ -32,13 +34,20 @@ def test_results_are_kept_by_function_and_arguments():
 
 
 def test_a_model_that_was_run_is_freed_with_what_was_built_for_it():
-    model = engine_model("bouncing_ball")
+    model = copy.copy(engine_model("bouncing_ball"))
     run = simulate(model, duration="0.6 s", tolerance=1e-6)
     assert run.impacts
     seen = weakref.ref(model)
     del model, run
     gc.collect()
     assert seen() is None
+
+
+def test_a_built_in_scene_is_built_once_and_its_variations_are_models_of_their_own():
+    ball = engine_model("bouncing_ball")
+    assert engine_model("bouncing_ball") is ball
+    assert load("bouncing_ball").engine is ball
+    assert engine_model("bouncing_ball", coordinates="absolute") is not ball
 
 
 def test_inputs_that_differ_are_distinguished_and_equal_ones_are_not():

@@ -1,6 +1,6 @@
 """Readings of a run against closed forms, textbook equations, and the multipliers of absolute coordinates."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -250,7 +250,7 @@ def test_a_fault_in_the_inertia_is_seen():
     assert worst_reaction("double_pendulum", model) < 1e-9
     wrong = sealed(text.replace("gravity = p[", "gravity = 1.0001*p["))
     assert wrong != text
-    faulty = engine_model("double_pendulum")
+    faulty = EngineModel(model.module, replace(model.declaration))
     faulty.declaration.__dict__["_readings"] = {"tree": wrong}
     assert worst_reaction("double_pendulum", faulty) > 1e-6
 

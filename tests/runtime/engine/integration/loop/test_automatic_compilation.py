@@ -1,5 +1,6 @@
 """compiled="auto": short runs stay in the virtual machine, long ones go on as C, and no digit changes."""
 
+import copy
 import itertools
 from types import SimpleNamespace
 
@@ -10,12 +11,13 @@ from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Solution, load, simulate, simulation
 from hertzwerk.runtime.engine.integration.loop import automatic_compilation, c_compilation, chunk
 from hertzwerk.runtime.engine.integration.loop.c_files import CFile
+from hertzwerk.runtime.loading import engine_model
 
 
 @pytest.fixture
 def crank(tmp_path, monkeypatch):
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
-    return load("slider_crank_frictionless")
+    return load(copy.copy(engine_model("slider_crank_frictionless")))
 
 
 @pytest.fixture
@@ -65,7 +67,7 @@ def test_a_cached_library_is_used_at_once(crank, monkeypatch):
     simulate(crank, duration="1 ms", compiled=True, tolerance=1e-6)
     monkeypatch.setattr(automatic_compilation, "LOOK", 0.0)
     monkeypatch.setattr(c_compilation, "compile_files", None)  # a call of it fails
-    assert simulate(load(crank.name), duration="24 ms", tolerance=1e-8).settings.compiled
+    assert simulate(copy.copy(crank.engine), duration="24 ms", tolerance=1e-8).settings.compiled
 
 
 def test_without_a_compiler_it_goes_on(crank, eager, monkeypatch):
@@ -88,7 +90,7 @@ def test_clang_gets_no_option_that_it_refuses(crank, tmp_path, monkeypatch):
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path))
     c_compilation._compiler.cache_clear()
     try:
-        assert simulate(load(crank.name), duration="1 ms", tolerance=1e-6, compiled=True).settings.compiled
+        assert simulate(copy.copy(crank.engine), duration="1 ms", tolerance=1e-6, compiled=True).settings.compiled
     finally:
         c_compilation._compiler.cache_clear()
 
