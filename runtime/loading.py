@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.output.tables.history_meanings import Histories
 
 
-KEPT = 8  # models of built-in scenes whose functions stay for further runs, some MB each
+MODELS = 8  # of built-in scenes, kept with the functions built for them: some MB each
 OF_FLOW, OF_LOOP = ("rates", "ends", "holding"), ("begin", "step", "attempt")  # functions beside the module's
 
 
@@ -233,7 +233,7 @@ def engine_model(
     return EngineModel(build.build(build.vary(scene, without, laws, coordinates), source), Declaration(scene, *how))
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=MODELS)
 def _built_in(name: str) -> EngineModel:
     """Return the model of a built-in scene, with what earlier runs built of it."""
     return EngineModel(importlib.import_module(f"hertzwerk.generated.{name}"), Declaration(name))

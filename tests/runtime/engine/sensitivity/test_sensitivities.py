@@ -1,9 +1,9 @@
 """Derivatives of runs: against closed forms, against differences of runs, and with each term of the jumps left out."""
 
+import copy
 from dataclasses import replace
 from itertools import pairwise
 
-import copy
 import numpy as np
 import pytest
 import sympy as sp
