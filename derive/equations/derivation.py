@@ -22,7 +22,7 @@ from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.equations.equal_parts.equal_declarations import Alike, alike
 from hertzwerk.derive.equations.equal_parts.representatives import program_of_kinds
-from hertzwerk.derive.equations.inverse_dynamics.derived_histories import readings_of
+from hertzwerk.derive.equations.inverse_dynamics.derived_histories import Readings
 from hertzwerk.derive.equations.module.contents import program_of
 from hertzwerk.derive.equations.module.equation_system import System
 from hertzwerk.derive.equations.module.motion_functions import motion
@@ -74,7 +74,7 @@ def _derive_alike(grouping: Alike) -> Program | None:
 
 def generate_readings(scene: Scene, source: str = "") -> str:
     """Text of the module of a scene's readings, in joint coordinates or absolute ones; raises InputError."""
-    program = readings_of(absolute(scene) if scene.coordinates == "absolute" else scene)
+    program = Readings(absolute(scene) if scene.coordinates == "absolute" else scene).program()
     units, findings = audit_program(program)
     refuse_inconsistent(scene, findings)
     return emit(replace(program, units=units), source)

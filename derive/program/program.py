@@ -452,9 +452,3 @@ def curves_in(program: Program) -> list[PlanarCurve | PlanarChain]:
             if isinstance(expression, Sampled):  # or drawn
                 curves[expression.args[0]] = None
     return list(curves)
-
-
-def count_checked(program: Program) -> tuple[int, int]:
-    """Number of assignments and outputs covered by the audit of a program."""
-    outputs = sum(len(result.expressions) for function in program.functions for result in function.results)
-    return sum(1 for _ in program.assignments()), outputs

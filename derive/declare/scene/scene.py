@@ -252,7 +252,7 @@ class Scene:
             if freedom.scalar
         }
 
-    @cached_property
+    @property
     def uncounted(self) -> tuple[str, ...]:
         """Keys of speeds without a coordinate."""
         return self.mechanism.uncounted
@@ -343,14 +343,11 @@ class Scene:
 
     def geometry(self, pair_name: str) -> dict[str, Any]:
         """Geometry of a pair by name (`R_eff`, `L`, ...) and effective mass `m_eff`; {} for an unknown pair."""
-        if pair_name not in self._geometries:
-            pair = self.mechanism.pair_named.get(pair_name)
-            self._geometries[pair_name] = {} if pair is None else self._geometry(pair)
-        return self._geometries[pair_name]
+        return self._geometries.get(pair_name, {})
 
     @cached_property
     def _geometries(self) -> dict[str, dict[str, Any]]:
-        return {}
+        return {pair.name: self._geometry(pair) for pair in self.mechanism.pairs}
 
     def _geometry(self, pair: Pair) -> dict[str, Any]:
         bodies = [place.body for place in pair.places if isinstance(place.body, Body)]

@@ -132,8 +132,8 @@ class PairKinematics:
         taken = _staged(number, (sp.S.Zero, *spent), loaded)
         return force, stored, self.let(Where(unloads, 0, taken), "plastic_force", stated[0])
 
-    def _pressed(self, expression: Any, dent: Any) -> Any:
-        """The expression where the surfaces press on each other, in a dent too, else 0."""
+    def _pressed(self, expression: Any, dent: Any = 0) -> Any:
+        """The expression where the surfaces press on each other, deeper than a dent, else 0."""
         return Where(self.touch.penetration > dent, expression, 0)
 
     def elastic(self, contact: Contact) -> tuple[Any, Any, Any]:
@@ -143,9 +143,9 @@ class PairKinematics:
             return self.plastic(contact, contact.plastic)
         values = self._law(contact.stiffness, {d: self._depth(contact)}, contact.unchecked)
         stated = (NEWTON, JOULE) if contact.unchecked else (None, None)
-        force = self.let(self._closed(law.force.xreplace(values)), "elastic_force", stated[0])
+        force = self.let(self._pressed(law.force.xreplace(values)), "elastic_force", stated[0])
         stored = law.work.xreplace(values) if contact.length is None else self._smooth_work(contact, values)
-        return force, self.let(self._closed(stored), "stored_energy", stated[1]), sp.S.Zero
+        return force, self.let(self._pressed(stored), "stored_energy", stated[1]), sp.S.Zero
 
     def _depth(self, contact: Contact) -> Any:
         """Penetration of the laws [m]: that of the surfaces, or the smoothed one."""
@@ -167,10 +167,6 @@ class PairKinematics:
         beyond = law.work.xreplace(values) - law.work.xreplace({**values, d: length})
         return begin + Where(self.touch.penetration > 2 * length, beyond, 0)
 
-    def _closed(self, expression: Any) -> Any:
-        """The expression in contact, else 0."""
-        return Where(self.touch.penetration > 0, expression, 0)
-
     def _resistance(self, contact: Contact, damping: BoundLaw, elastic: Any, approach_speed: Any) -> Any:
         law, stated = damping.law, NEWTON if contact.unchecked else None
         known = {F: elastic, v: self.touch.penetration_rate, d: self._depth(contact)}
@@ -179,12 +175,12 @@ class PairKinematics:
         if k_t in law.quantities:
             stiffness = self._law(contact.stiffness, {d: self._depth(contact)}, contact.unchecked)
             tangent = sp.diff(contact.stiffness.law.force, d).xreplace(stiffness)
-            known[k_t] = self.let(self._closed(tangent), "tangent_stiffness", STIFFNESS if contact.unchecked else None)
+            known[k_t] = self.let(self._pressed(tangent), "tangent_stiffness", STIFFNESS if contact.unchecked else None)
         values = self._law(damping, known, contact.unchecked)
         if law.factor is not None:
             factor = self.let(law.factor.xreplace(values), "hysteresis_factor", PURE if contact.unchecked else None)
             return self.let(elastic * factor * self.touch.penetration_rate / approach_speed, "resistance")
-        return self.let(self._closed(law.resistance.xreplace(values)), "resistance", stated)
+        return self.let(self._pressed(law.resistance.xreplace(values)), "resistance", stated)
 
     def forces(
         self, contact: Contact, friction: Friction | None, approach_speed: Any, bristle: Sequence[Any] = ()
@@ -227,14 +223,11 @@ class PairKinematics:
         generalised = together(generalised, *shares, rubs.get("rubbing", {}))
         in_range = self._in_range(contact)
         if worn is not None:
-            progress = worn.progress(pressing, self._sliding_speed())
-            rubs |= {"wear": progress.rates, "wear_power": self.let(elastic * progress.recession, "wear_power")}
+            plane = self.touch.plane_of_motion
+            speed = self._size(self._slip())[0] if plane is None else sp.Abs(self._sliding(plane)[1])
+            rates, recession = worn.progress(pressing, speed)
+            rubs |= {"wear": rates, "wear_power": self.let(elastic * recession, "wear_power")}
         return Forces(generalised, normal_power, normal_force, in_range, resistances=moments, turning=turning, **rubs)
-
-    def _sliding_speed(self) -> Any:
-        """Size of the sliding velocity [m/s]."""
-        plane = self.touch.plane_of_motion
-        return self._size(self._slip())[0] if plane is None else sp.Abs(self._sliding(plane)[1])
 
     def _rubbing(self, friction: Friction, pressing: Any, bristle: Sequence[Any]) -> dict[str, Any]:
         """Part of `Forces` that friction adds: with modes its grip."""
@@ -278,13 +271,7 @@ class PairKinematics:
                         "surfaces that the joints let come nearer or part, or press into each other",
                         "Add a joint along the normal, guide the body nearer, or leave the pair out.")  # fmt: skip
         law = None if friction is None else friction.law.law
-        if (
-            friction is not None
-            and law is not None
-            and law.memory
-            and self.slides_along > 1
-            and law.in_two_directions is None
-        ):
+        if friction and law and law.memory and self.slides_along > 1 and law.in_two_directions is None:
             actual = f"law {law.name} at {self.pair.name}, whose bodies may slide in more than one direction"
             yield Fault(f"effect {friction.name}", actual, "a law that is linear in its deflection, or one direction of sliding",
                         "lugre, coulomb, smooth_coulomb, stribeck and brown_mcphee take sliding in any direction.")  # fmt: skip

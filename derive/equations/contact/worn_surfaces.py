@@ -28,14 +28,6 @@ INNER, OUTER = sp.Float("0.0625"), sp.Float("0.5")  # exact in binary, and print
 """Squares of eccentricity over clearance between which a direction begins to count: the centre has none."""
 
 
-@dataclass(frozen=True)
-class Progress:
-    """Rates of the wear's states by name [m/s, W], and the rate at which the gap opens by them [m/s]."""
-
-    rates: dict[str, Any]
-    recession: Any
-
-
 class Worn:
     """Worn surfaces of a contact geometry on its tape."""
 
@@ -85,8 +77,11 @@ class Worn:
         """A rate of a sphere's wear, zero at the very onset."""
         return Where(self.touch.penetration > 0, rate, 0)
 
-    def progress(self, force: Any, speed: Any) -> Progress:
-        """Archard's law under a normal force [N] at a sliding speed [m/s]."""
+    def progress(self, force: Any, speed: Any) -> tuple[dict[str, Any], Any]:
+        """Archard's law under a normal force [N] at a sliding speed [m/s].
+
+        Rates of the wear's states by name [m/s, W], and the rate at which the gap opens by them [m/s].
+        """
         power = self.let(force * speed, "power")
         rates: dict[str, Any] = {f"{self.wear.name}.{LOAD_PATH}": power}
         recession: list[Any] = []
@@ -96,7 +91,7 @@ class Worn:
             names = self.wear.depths(self.touch.pair)[label]
             rates |= {f"{self.wear.name}.{name}": share for name, share in zip(names, shares, strict=True)}
             recession.append(opening)
-        return Progress(rates, self.let(sp.Add(*recession), "recession"))
+        return rates, self.let(sp.Add(*recession), "recession")
 
     def lost(self, label: str, rate: Any) -> tuple[Sequence[Any], Any]:
         """Rates of a surface's depths, and of that where it touches [m/s], of a volume lost [m^3/s]."""

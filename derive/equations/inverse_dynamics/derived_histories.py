@@ -47,12 +47,7 @@ class Reading:
     meaning: str
 
 
-def readings_of(scene: Scene) -> Program:
-    """Program of the readings of a scene; not audited."""
-    return _Readings(scene).program()
-
-
-class _Readings:
+class Readings:
     """Readings of one scene, by what they are of: the results of the module's two functions."""
 
     def __init__(self, scene: Scene) -> None:
@@ -70,7 +65,7 @@ class _Readings:
         self.forces = Forces(self.system, self.declared.tree, self.touching)
 
     def program(self) -> Program:
-        """Both functions and their tables."""
+        """Program of both functions and their tables, not audited."""
         parts = {
             CONTACTS: [(pair.pair.name, list(self._contact(pair, *laws))) for pair, *laws in self.system.contacts],
             MOTION: list(self._groups()),

@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.derive.declare.effects.nonholonomic import RollingWithoutSlip
 from hertzwerk.derive.equations.module import (
     motion_functions,
@@ -57,9 +57,13 @@ def program_of(system: System) -> Program:
 
 def refuse_idle(system: System) -> None:
     """Raise InputError if an effect changes no motion, once all functions are made."""
-    idle = [effect.name for effect in system.scene.effects if effect.name not in system.entered]
-    if idle:
-        raise InputError(f"scene {system.scene.name}", (_idle_fault(system, name) for name in idle))
+    faults = []
+    for effect in (effect for effect in system.scene.effects if effect.name not in system.entered):
+        driven = any(key in system.scene.driven for key in effect.joints)
+        why = "its joint is driven, whatever acts on it" if driven else "what it acts on cannot move that way"
+        faults.append(Fault(f"effect {effect.name}", "no equation that it enters", f"an effect that changes the motion; {why}",
+                            f"Turn it, or leave it out: scene.without({effect.name!r})."))  # fmt: skip
+    refuse(f"scene {system.scene.name}", faults)
 
 
 def with_constants(system: System, functions: list[Function], tables: Mapping[str, Any], note: str) -> Program:
@@ -86,14 +90,3 @@ def _placement(system: System) -> list[Function]:
         return []
     functions = [motion_functions.joint_scales(system, joints), motion_functions.placed_bodies(system, joints)]
     return [*functions, motion_functions.joint_constraints(system, joints)] if joints.loops else functions
-
-
-def _idle_fault(system: System, name: str) -> Fault:
-    driven = any(key in system.scene.driven for key in system.scene.effect(name).joints)
-    why = "its joint is driven, whatever acts on it" if driven else "what it acts on cannot move that way"
-    return Fault(
-        f"effect {name}",
-        "no equation that it enters",
-        f"an effect that changes the motion; {why}",
-        f"Turn it, or leave it out: scene.without({name!r}).",
-    )

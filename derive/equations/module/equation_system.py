@@ -14,7 +14,6 @@ import sympy as sp
 from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.derive.declare.effects.effect import CONTACT, DISSIPATED, NOWHERE, Event, Rubbing, state_faults
 from hertzwerk.derive.declare.effects.tribology.wear import Wear
-from hertzwerk.derive.declare.mechanism.joints.joint import Port
 from hertzwerk.derive.declare.scene.periods import period
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.equations.contact.contact_forces import PairKinematics
@@ -27,7 +26,7 @@ from hertzwerk.derive.equations.motion.equations_of_motion import equations_of
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.equations.motion.loop_closure import Constraint
 from hertzwerk.derive.equations.motion.massless_motions import resistance_faults
-from hertzwerk.derive.equations.motion.reaction_loads import Carried, nonlinear_fault
+from hertzwerk.derive.equations.motion.reaction_loads import Carried
 from hertzwerk.derive.equations.motion.spanning_tree import Row
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
 from hertzwerk.derive.laws.elastic_limits import onset_of_yield, speed_limit
@@ -60,6 +59,7 @@ class System:
         ).dimensions.items():  # of the scene that it is a part of, if it is one
             self.tape.input(parameter.name, "p", dimension, symbol=parameter)
         self.kin = kinematics(self.tape, scene)
+        self.coordinates, self.speeds = ports_of(scene, self.kin)
         self.equations = equations_of(self.kin, scene)
         self.contacts = [
             (PairKinematics(self.kin, pair, scene.geometry(pair.name)), contact, friction)
@@ -119,7 +119,7 @@ class System:
         """Faults of contacts that stick in several directions beside loads by reactions.
 
         They are solved together: friction changes its own accelerations through the loads. In one direction for each, what a run computes has a
-        certificate that nothing else agrees (runtime.integrate.step.fed_friction); for discs of forces there is none.
+        certificate that nothing else agrees (runtime.engine.integration.step.fed_friction); for discs of forces there is none.
         """
         if not self.feeds:
             return
@@ -164,35 +164,17 @@ class System:
         if not self.kin.loaded:
             return None
         carried = Carried(
-            self.kin, self.equations, {row.key: load for row in self.rows if (load := self._force(row.key, True)) != 0}
+            self.kin,
+            self.equations,
+            {row.key: load for row in self.rows if (load := self.force(row.key, carried=True)) != 0},
         )
-        for joint in carried.nonlinear():
-            raise nonlinear_fault(joint)
+        carried.require_linear()
         return carried
 
-    def applied(self, key: str) -> Any:
-        """Generalised force of the effects in a row, but for loads by reactions and normal forces."""
-        return self._force(key, False)
-
-    def _force(self, key: str, carried: bool) -> Any:
+    def force(self, key: str, *, carried: bool) -> Any:
+        """Generalised force of effects in a row: carried by reactions and contacts, or by others."""
         forces = (sp.sympify(e.forces.get(key, 0)) for e in self.elements.values())
         return sp.Add(*(force for force in forces if self.tape.depends_on(force, "reactions") == carried))
-
-    @cached_property
-    def coordinates(self) -> list[Port]:
-        """Ports of q."""
-        return ports_of(self.scene, self.kin)[0]
-
-    @cached_property
-    def speeds(self) -> list[Port]:
-        """Ports of u."""
-        return ports_of(self.scene, self.kin)[1]
-
-    @cached_property
-    def state_rates(self) -> list[Any]:
-        """Rates of the effects' states, zero for those that change at events alone."""
-        rates = {f"{effect.name}.{name}": e.rates[name] for effect, e in self.elements.items() for name in e.rates}
-        return [sp.sympify(rates.get(name, 0)) for name in self.scene.states]
 
     @cached_property
     def events(self) -> list[tuple[str, Event]]:
@@ -252,10 +234,6 @@ class System:
         """Result with one entry per pair, all of one unit."""
         names = tuple(pair.pair.name for pair, _, _ in self.contacts)
         return Result(name, names, (unit,) * len(names), tuple(values))
-
-    def of_memory(self, name: str, values: list[Any]) -> Result:
-        """Result with one entry per entry of z."""
-        return Result(name, tuple(n for n, _ in self.memory), tuple(unit for _, unit in self.memory), tuple(values))
 
     def memory_rates(self, values: list[Any]) -> Result:
         """Rates of the entries of z."""

@@ -14,7 +14,6 @@ from hertzwerk.derive.declare.mechanism.joints.joint import Port
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.equations.module.equation_system import System
 from hertzwerk.derive.equations.module.output_functions import output_rows, posed_names
-from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.equations.motion.loop_closure import Constraint
 from hertzwerk.derive.expressions.parameter import Interval, Parameter
 from hertzwerk.derive.program.expression_text import table_name
@@ -130,16 +129,17 @@ def _bristle_rows(system: System) -> Iterator[tuple[int, int]]:
 def _loop_tables(system: System) -> dict[str, Any]:
     """Constraints, and values of the start that are not found by assembly: None where none is."""
     joints = system.joints
-    scene, kin, loops = (
-        (system.scene, system.kin, system.loops) if joints is None else (joints.scene, joints.kin, joints.loops)
-    )
+    of = system if joints is None else joints
     rolling = tuple((effect.name, effect.coefficient is not None) for effect in system.scene.all(RollingWithoutSlip))
-    assembled = loops or (joints is None and rolling) or any(pair.pair.journal for pair, _, _ in system.contacts)
+    stated = [name for freedom in of.scene.free for name in of.scene.start.stated(freedom)]
+    assembled = of.loops or (joints is None and rolling) or any(pair.pair.journal for pair, _, _ in system.contacts)
     return {
         "CONSTRAINTS": _names(system.loops),
         "ROLLING": rolling,
-        "GIVEN": _stated_values(scene, kin) if assembled else None,
-        "SEATED": tuple(pair.name for pair in scene.mechanism.pairs) if scene.start.seated else (),
+        "GIVEN": (*stated, *(state.port.name for state in of.kin.drive_states), *of.scene.states)
+        if assembled
+        else None,
+        "SEATED": tuple(pair.name for pair in of.scene.mechanism.pairs) if of.scene.start.seated else (),
         "JOINT_COORDINATES": None if joints is None else tuple(map(tuple, joints.coordinates)),
         "JOINT_SPEEDS": None if joints is None else tuple(map(tuple, joints.speeds)),
         "JOINT_QUATERNIONS": None if joints is None else _quaternions(joints.coordinates),
@@ -160,12 +160,6 @@ def _names(loops: tuple[Constraint, ...]) -> tuple[tuple[str, str], ...]:
 def _quaternions(ports: list[Port]) -> tuple[int, ...]:
     """Indices at which quaternions begin."""
     return tuple(i for i, port in enumerate(ports) if port.name.endswith(".q0"))
-
-
-def _stated_values(scene: Scene, kin: Kinematics) -> tuple[str, ...]:
-    """Values of the start that are given instead of found by assembly."""
-    stated = [name for freedom in scene.free for name in scene.start.stated(freedom)]
-    return (*stated, *(state.port.name for state in kin.drive_states), *scene.states)
 
 
 def _limits(scene: Scene) -> list[tuple[Any, ...]]:

@@ -32,6 +32,9 @@ def coordinate_rates(system: System) -> Function:
         tuple(port.name for port in names),
         tuple("1/s" if unit == "1" else f"{unit}/s" for _, unit in names),
     )
+    # of states that change at events alone: zero
+    known = {f"{effect.name}.{name}": rate for effect, e in system.elements.items() for name, rate in e.rates.items()}
+    of_states = [sp.sympify(known.get(name, 0)) for name in system.scene.states]
     return system.function(
         "coordinate_rates",
         "Rates of the coordinates.",
@@ -40,7 +43,7 @@ def coordinate_rates(system: System) -> Function:
             "dq",
             labels,
             units,
-            (*system.kin.rates, *(state.rate for state in system.kin.drive_states), *system.state_rates),
+            (*system.kin.rates, *(state.rate for state in system.kin.drive_states), *of_states),
         ),
     )
 
@@ -53,7 +56,7 @@ def applied(system: System) -> Function:
         system.enter(gravity.name, weight)
     for effect, e in system.elements.items():
         system.enter(effect.name, e.forces)
-    f = [weight[row.key] + system.applied(row.key) for row in system.rows]
+    f = [weight[row.key] + system.force(row.key, carried=False) for row in system.rows]
     return system.function(
         "applied", "Generalised forces other than contact forces.", "t q u c", system.of_rows("f", f)
     )

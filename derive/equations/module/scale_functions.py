@@ -30,13 +30,14 @@ def scales(system: System) -> Function:
         if friction is not None and friction.law.law.memory
         for name in system.bristles[friction.name]
     }
+    names, units = tuple(name for name, _ in system.memory), tuple(unit for _, unit in system.memory)
     return system.function(
         "scales",
         "Scales of errors: of coordinates, speeds and memory; then of length, speed, force and energy.",
         "p",
         system.of_coordinates("sq", q),
         system.of_speeds("su", u),
-        system.of_memory("sz", [sizes.get(name, energy) for name, _ in system.memory]),
+        Result("sz", names, units, tuple(sizes.get(name, energy) for name in names)),
         Result("s", ("length", "speed", "force", "energy"), ("m", "m/s", "N", "J"), (length, speed, force, energy)),
     )
 

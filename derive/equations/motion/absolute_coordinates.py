@@ -166,7 +166,7 @@ def _body_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
         if not isinstance(joint, Base) or not isinstance(body, Body) or not joint.turns:
             continue
         rigid = [body, *_welded_to(body, carried)]
-        used = [_turning_inertias(each, joint.normal) for each in rigid]
+        used = [each.moments if joint.normal is None else (each.moments[joint.normal],) for each in rigid]
         zero = any(value != 0 and default_value(value) == 0 for value in used[0])
         if zero or (len(rigid) > 1 and not any(all(default_value(value) != 0 for value in each) for each in used)):
             why = (
@@ -187,11 +187,6 @@ def _body_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
         if scene.scales.arm is None:
             yield Fault("scales", "no arm", "an arm [m], because the bodies' coordinates have angles",
                         "Scales(length=..., speed=..., arm=...): an angle is measured as length/arm.")  # fmt: skip
-
-
-def _turning_inertias(body: Body, normal: int | None) -> tuple[Any, ...]:
-    """Inertias about the axes a body turns about: one in plane motion."""
-    return body.moments if normal is None else (body.moments[normal],)
 
 
 def _welded_to(body: Frame, carried: list[Joint]) -> list[Body]:

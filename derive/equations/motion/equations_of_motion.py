@@ -24,7 +24,7 @@ from hertzwerk.derive.equations.motion.spanning_tree import Link, Row
 from hertzwerk.derive.expressions.algebra.vectors import ZERO, Vector, add, cross, dot, scale, total
 from hertzwerk.derive.program.elimination import Factor
 
-# of the multipliers: with constrained.SOFTNESS, minimises the sum of the errors by singularity and by rounding
+# of the multipliers: with multipliers.SOFTNESS, minimises the sum of the errors by singularity and by rounding
 REFINEMENTS = 2
 
 # artificial inertia of a row without any, relative to that about other axes, or of the mean body
@@ -230,8 +230,8 @@ class Equations:
         """
         if not self.constraints:
             return {}
-        mass, bodies, scales = self.mass_matrix(), self.scene.mechanism.bodies, self.scene.scales
-        mean = sp.Add(*(sp.sympify(body.mass) for body in bodies)) / len(bodies)
+        mass, mechanism, scales = self.mass_matrix(), self.scene.mechanism, self.scene.scales
+        mean = mechanism.total_mass / len(mechanism.bodies)
         inertia = {}
         for row in self.free:
             if (row.key, row.key) in mass:
@@ -298,10 +298,9 @@ class Equations:
         """Potential energy of gravity that does not vary, zero at the ground's origin [J]."""
         return self.potential_of(self.scene.mechanism.bodies)
 
-    def potential_of(self, bodies: Iterable[Body]) -> Any:
+    def potential_of(self, bodies: Sequence[Body]) -> Any:
         """Potential energy of some bodies, as of all [J]."""
         pull = gravity_vector(self.kin, [effect for effect in self.scene.all(Gravity) if not effect.varies])
-        bodies = list(bodies)
         fallen = [sp.sympify(body.mass) * dot(self.kin.centre(body), pull) for body in bodies]
         fallen += [
             dot(pull, self.kin.of_rod(link, link.rod.moment, "bent_moment"))

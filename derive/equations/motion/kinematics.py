@@ -128,7 +128,8 @@ class Kinematics:
             if effect.counts(scene)
         }
         self.states = {key: (q[0], rows[0].speed) for key, (q, rows) in motion.items() if q and rows}
-        self._motions = motion
+        self.motions = motion
+        """Coordinates and rows of each freedom of the tree by its key."""
         self.tree = Tree(tape, scene.mechanism, motion, scene.held)
         self.carried: dict[tuple[str, str, Any], sp.Symbol] = {}
         self.normal_forces: dict[str, sp.Symbol] = {}
@@ -141,7 +142,7 @@ class Kinematics:
         self.direction_of = cache(self._direction)
         self.turned = cache(self._turned_about)
         self.by_expressions = scene.mechanism.motion_by_expressions(self)
-        """Motion given by expressions, see `imported`; None where links have their own."""
+        """Motion given by expressions, see `sympy_models`; None where links have their own."""
 
     def _quaternion_rates(self, q: Sequence[Any], rate: Sequence[Any]) -> tuple[Any, ...]:
         """Quaternion rates q' = q (0, w/2), with w in the rotated axes."""
@@ -182,12 +183,8 @@ class Kinematics:
 
     def motion_of_freedom(self, freedom: Freedom) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
         """Coordinates and speeds of a freedom, free or driven."""
-        coordinates, rows = self._motions[freedom.key]
+        coordinates, rows = self.motions[freedom.key]
         return coordinates, tuple(row.speed for row in rows)
-
-    def rows_of(self, freedom: Freedom) -> tuple[Row, ...]:
-        """Rows of a freedom of the tree."""
-        return self._motions[freedom.key][1]
 
     def coordinate(self, key: str) -> Any:
         """Coordinate of a scalar freedom of the tree, free or driven [rad or m]."""
@@ -235,7 +232,7 @@ class Kinematics:
 
     def row(self, key: str) -> Row:
         """Row of a scalar freedom of the tree."""
-        (row,) = self._motions[key][1]
+        (row,) = self.motions[key][1]
         return row
 
     def _turned_about(self, body: Frame, k: int) -> Any:

@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from operator import mul
 
 from hertzwerk.derive.common.faults import Fault
-from hertzwerk.derive.declare.mechanism.bodies import Body
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.equations.motion.absolute_coordinates import Absolute
 from hertzwerk.derive.equations.motion.equations_of_motion import equations_of
@@ -43,7 +42,7 @@ def resistance_faults(scene: Scene) -> Iterator[Fault]:
     ]
     if isinstance(scene, Absolute):
         scene = scene.declared
-        massless = [body.name for body in scene.mechanism.bodies if not _is_whole(body)]
+        massless = [b.name for b in scene.mechanism.bodies if any(default_value(v) == 0 for v in (b.mass, *b.moments))]
     if not massless:
         return
     names, matrix, constraints = _mass_matrix(scene)
@@ -57,11 +56,6 @@ def resistance_faults(scene: Scene) -> Iterator[Fault]:
             f"a mass that every motion moves{', where the loops leave it free' if constraints else ''}; without one: {', '.join(massless)}",
             f"Leave one of the joints out, turn its axis, or give {' or '.join(massless)} a mass and an inertia.",
         )
-
-
-def _is_whole(body: Body) -> bool:
-    """Whether a body has a mass, and an inertia about every axis."""
-    return all(default_value(value) != 0 for value in (body.mass, *body.moments))
 
 
 def _mass_matrix(scene: Scene) -> tuple[list[str], list[list[float]], list[list[float]]]:

@@ -10,7 +10,7 @@ A run that gets there reports it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -56,12 +56,15 @@ class Carried:
         self.read = {symbol: key for key, symbol in kinematics.carried.items()}
         self._slopes: dict[tuple[Any, Any], Any] = {}
 
-    def nonlinear(self) -> Iterator[str]:
-        """Yield the joints whose reaction enters a load other than linearly."""
+    def require_linear(self) -> None:
+        """Raise InputError for a joint whose reaction enters a load other than linearly."""
         for symbol, (joint, *_) in self.read.items():
             slopes = [self._slope(load, symbol) for load in self.loads.values()]
             if any(self._depends(slope, other) for slope in slopes for other in self.read):
-                yield joint
+                fault = Fault(f"reaction of joint {joint}", "a load that depends on it other than linearly",
+                              "loads proportional to it: those of smooth_coulomb, threlfall, ambrosio, stribeck, bengisu_akay",
+                              "Where friction grows otherwise, declare the normal force.")  # fmt: skip
+                raise InputError(f"joint {joint}", [fault])
 
     def solved(self, forces: Mapping[str, Any], pressed: Mapping[Any, Any]) -> Solved:
         """Solve the equations of motion for given forces by row, and for normal forces of contacts by symbol."""
@@ -137,7 +140,7 @@ class Carried:
                 total = add(total, scale(self.tape.let(needed, f"{row.key.replace('.', '_')}_by"), direction.unit))
             return total
 
-        return along(held.slides), along(held.turns), _axis(joint)
+        return along(held.slides), along(held.turns), ZERO if joint.main_axis is None else joint.main_axis.unit
 
     def _of_constraints(
         self, joint: Joint, forces: Mapping[str, Any], a: list[Any], multipliers: list[Any], whole: bool
@@ -147,8 +150,7 @@ class Carried:
         own = [(row, held) for row, held in pairs if row.name.split(".")[0] == joint.name]
         force = add(ZERO, *(scale(held, row.force) for row, held in own))
         moment = add(ZERO, *(scale(held, row.moment) for row, held in own))
-        axis = next((axis for axis, _ in joint.sliding), next(iter(joint.turning), None))
-        return force, moment, ZERO if axis is None else self.kin.direction(joint.parent, axis)
+        return force, moment, ZERO if joint.main_axis is None else self.kin.direction(joint.parent, joint.main_axis)
 
     # -- magnitudes ----------------------------------------------------------------------------------------------------
 
@@ -211,8 +213,7 @@ class Carried:
     @cached_property
     def _small(self) -> Any:
         """A force of no account [N]."""
-        scales, bodies = self.kin.scene.scales, self.kin.scene.mechanism.bodies
-        mass = sp.Add(*(sp.sympify(body.mass) for body in bodies))
+        scales, mass = self.kin.scene.scales, self.kin.scene.mechanism.total_mass
         return self.tape.let(1e-9 * mass * sp.sympify(scales.speed) ** 2 / sp.sympify(scales.length), "small_force")
 
     def _margins(self, by: list[list[list[Any]]], names: list[str]) -> list[Any]:
@@ -271,17 +272,3 @@ class Carried:
         moving = [s for s in symbols_in(expression) if self.tape.depends_on(s, "reactions")]
         instead = {s: values[s] if s in values else self._replaced(self.tape.assignments[s], values) for s in moving}
         return self.tape.let(expression.xreplace(instead), "known_load") if instead else expression
-
-
-def nonlinear_fault(joint: str) -> InputError:
-    """Error for a load that is not linear in a reaction."""
-    fault = Fault(f"reaction of joint {joint}", "a load that depends on it other than linearly",
-                  "loads proportional to it: those of smooth_coulomb, threlfall, ambrosio, stribeck, bengisu_akay",
-                  "Where friction grows otherwise, declare the normal force.")  # fmt: skip
-    return InputError(f"joint {joint}", [fault])
-
-
-def _axis(joint: Joint) -> Vector:
-    """Axis of a joint in its own axes: of its slide, else of its first turn; zero of a ball."""
-    axis = next((axis for axis, _ in joint.sliding), next(iter(joint.turning), None))
-    return ZERO if axis is None else axis.unit

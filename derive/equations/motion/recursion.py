@@ -100,7 +100,8 @@ class Recursion:
             (origin, axes), rod = end.base, end.rod
             bent = apply(axes, rod.moment)
             turned = rod.inertia if axes == IDENTITY else multiply(multiply(axes, rod.inertia), transpose(axes))
-            moment, inertia = add(moment, bent), combine(inertia, turned, _shift(origin, bent))
+            shift = _shifted(origin, bent)
+            moment, inertia = add(moment, bent), combine(inertia, turned, (shift.row(0), shift.row(1), shift.row(2)))
         return mass, moment, inertia
 
     # -- rods, of which the link is the start --------------------------------------------------------------------------
@@ -374,12 +375,6 @@ class Recursion:
         if link.kind == "bend":
             slide = self.in_own_axes(link, link.rod.moved[0], "end_velocity")
         return self.tape.vector(add(link.change.back(before), slide), f"{link.name}_velocity")
-
-
-def _shift(arm: Vector, moment: Vector) -> Matrix:
-    """As `_shifted`, a matrix."""
-    shifted = _shifted(arm, moment)
-    return shifted.row(0), shifted.row(1), shifted.row(2)
 
 
 def _shifted(arm: Vector, moment: Vector) -> Symmetric:

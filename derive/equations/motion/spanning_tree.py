@@ -309,8 +309,7 @@ class Tree:
 
 def _held(joint: Joint, plane: int | None) -> Held:
     """Directions a joint holds: all but those of its slides and, where it only slides, all turns."""
-    axis = next((axis for axis, _ in joint.sliding), next(iter(joint.turning), None))
-    ways = AXES if axis is None else (axis, *(way for way, _ in across(axis)))
+    ways = AXES if joint.main_axis is None else (joint.main_axis, *(way for way, _ in across(joint.main_axis)))
     if joint.sliding:
         ways = ways[1:]
     turns = ways if joint.sliding and not joint.turning else ()

@@ -108,7 +108,7 @@ class MotionByExpressions:
     def __init__(self, kinematics: Kinematics, description: Description) -> None:
         self.kin, self.tape, self.description = kinematics, kinematics.tape, description
         self.rotation, self.motion, self.bias = cache(self._rotation), cache(self._motion), cache(self._bias)
-        self.rows = {row.key: row for freedom in description.coordinates for row in kinematics.rows_of(freedom)}
+        self.rows = {row.key: row for freedom in description.coordinates for row in kinematics.motions[freedom.key][1]}
         self._speeds = {
             freedom.key: kinematics.motion_of_freedom(freedom)[1][0]
             for freedom in description.coordinates

@@ -103,7 +103,10 @@ class _Export:
         matrix = [[mass.get((row.key, other.key), sp.S.Zero) for other in free] for row in free]
         contacts = self._contacts()
         forcing = [
-            equations.gravity(row) + system.applied(row.key) - equations.bias(row) + contacts.get(row.key, sp.S.Zero)
+            equations.gravity(row)
+            + system.force(row.key, carried=False)
+            - equations.bias(row)
+            + contacts.get(row.key, sp.S.Zero)
             for row in free
         ]
         on_places = [loop.value for loop in system.loops if loop.unit != ON_SPEED and loop.value != 0]

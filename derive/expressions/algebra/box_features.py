@@ -2,17 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from hertzwerk.derive.expressions.algebra.functions import NoText
 
 
 class Stacked(NoText):
     """`Stacked(*values)`: a vector of these entries."""
-
-    @classmethod
-    def eval(cls, *_: Any) -> None:
-        """Never evaluate."""
 
 
 class Features(NoText):
@@ -21,7 +15,3 @@ class Features(NoText):
     Gap, penetration, normal (three) and point of the first from the second's middle (three), along the ground's axes; with
     a rate of the pose their rates, with two their second rates. The slots are those of `emit.box_helpers`.
     """
-
-    @classmethod
-    def eval(cls, *_: Any) -> None:
-        """Never evaluate."""

@@ -113,10 +113,6 @@ class Place(_OfData):
 class Sampled(NoText):
     """`Sampled(curve, *parameters)`: what is computed of a curve once per run, such as samples: a vector."""
 
-    @classmethod
-    def eval(cls, *_: Any) -> None:
-        """Never evaluate."""
-
 
 class Drawn(Sampled):
     """`Drawn(curve, *parameters)`: coordinates for a picture, first all x, then all y: a vector."""
@@ -132,20 +128,12 @@ class Nearest(NoText):
     Signed distance, normal there (two), curvature of the parallel curve through the point, parameter.
     """
 
-    @classmethod
-    def eval(cls, *_: Any) -> None:
-        """Never evaluate."""
-
 
 class Support(NoText):
     """`Support(curve, samples, x, y, *parameters)`: where it is least along (x, y): a vector.
 
     Its point there (two), radius of curvature, parameter.
     """
-
-    @classmethod
-    def eval(cls, *_: Any) -> None:
-        """Never evaluate."""
 
 
 class Between(NoText):
@@ -156,19 +144,11 @@ class Between(NoText):
     the last two are the `ChainPoints` of each, of copies the last may be a `Place`.
     """
 
-    @classmethod
-    def eval(cls, *_: Any) -> None:
-        """Never evaluate."""
-
 
 class Entry(NoText):
     """`Entry(vector, k)`: an entry of a symbol that stands for a vector."""
 
     nargs = 2
-
-    @classmethod
-    def eval(cls, *_: Any) -> None:
-        """Never evaluate."""
 
     def _eval_is_real(self) -> bool:
         return True

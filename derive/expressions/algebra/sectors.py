@@ -16,27 +16,15 @@ class Shares(NoText):
 
     nargs = 4
 
-    @classmethod
-    def eval(cls, *_: Any) -> None:
-        """Never evaluate."""
-
 
 class Share(NoText):
     """`Share(shares, k)`: the share of one sector, a pure number."""
 
     nargs = 2
 
-    @classmethod
-    def eval(cls, *_: Any) -> None:
-        """Never evaluate."""
-
 
 class Mean(NoText):
     """`Mean(shares, *values)`: sum of the shares times the values of their sectors."""
-
-    @classmethod
-    def eval(cls, *_: Any) -> None:
-        """Never evaluate."""
 
     def _eval_is_real(self) -> bool:
         return True

@@ -30,22 +30,21 @@ _FAMILIES = """tuple(
 
 def kind_tables(program: Program, literal: Literal) -> Iterator[tuple[str, str]]:
     """Yield names and texts of the tables of kinds: their members, and rows in the whole vectors."""
-    for kind, name in (*_of_trees(program), *_of_pairs(program)):
+    for kind, name in _named_kinds(program):
         yield name, _members(kind, literal)
     yield "TREES", f"({', '.join(map(_tree_rows, program.trees))},)"
     families = (
         f"({literal(kind.name)}, {name}, {_row_text(kind.rows['z'])}, {_row_text(kind.rows['m'])})"
-        for kind, name in _of_pairs(program)
+        for kind, name in _named_kinds(program)
+        if kind in program.pairs
     )
     yield "FAMILIES", _FAMILIES.format(families=",\n        ".join(families))
 
 
-def _of_trees(program: Program) -> list[tuple[Repeated, str]]:
-    return [(kind, f"{kind.name.upper()}_TREES") for kind in program.trees]
-
-
-def _of_pairs(program: Program) -> list[tuple[Repeated, str]]:
-    return [(kind, f"{kind.name.upper()}_PAIRS") for kind in program.pairs]
+def _named_kinds(program: Program) -> list[tuple[Repeated, str]]:
+    """Kinds of trees, then of pairs, each with the name of its table of members."""
+    both = ((program.trees, "TREES"), (program.pairs, "PAIRS"))
+    return [(kind, f"{kind.name.upper()}_{of}") for kinds, of in both for kind in kinds]
 
 
 def _tree_rows(kind: Repeated) -> str:
@@ -103,10 +102,7 @@ def table(program: Program, rows: Sequence[Any], literal: Literal) -> list[str]:
         if run > _LEAST:
             best = f"*[{literal(rows[i])}]*{run}", run
         else:
-            runs = (
-                _comprehension(kind, name, rows[i:], literal)
-                for kind, name in (*_of_trees(program), *_of_pairs(program))
-            )
+            runs = (_comprehension(kind, name, rows[i:], literal) for kind, name in _named_kinds(program))
             known = [each for each in (_counted(rows[i:]), *runs) if each is not None]
             best = max(known, key=lambda each: (each[1], -len(each[0])), default=(literal(rows[i]), 1))
         texts.append(best[0])
@@ -337,6 +333,6 @@ _ENERGY = '''def energy(t, q, u, c):
 
 def loops(program: Program) -> tuple[str, str]:
     """Text that stands before the tables of kinds, and that of the functions of whole vectors."""
-    kinds = ", ".join(f'("{kind.name}", {name})' for kind, name in _of_trees(program))
+    kinds = ", ".join(f'("{kind.name}", {name})' for kind, name in _named_kinds(program) if kind in program.trees)
     text = _LOOPS.format(kinds=f"({kinds},)")
     return _PIECES, text + (f"\n\n\n{_ENERGY}" if program.scene.ledger else "")

@@ -24,7 +24,7 @@ from hertzwerk.derive.program.emit.printer import (
     shared_text,
 )
 from hertzwerk.derive.program.expression_text import curve_names
-from hertzwerk.derive.program.program import OWN, Function, Program, count_checked, curves_in
+from hertzwerk.derive.program.program import OWN, Function, Program, curves_in
 from hertzwerk.derive.program.repetition import share
 
 _PROSE = ("PARAMETERS", "LIMITS", "INPUTS", "SMOOTH_INPUTS", "ADVICE", "CONTRADICTIONS")  # tables of one row a line
@@ -121,7 +121,8 @@ def _names_in(program: Program, drafts: Iterable[Draft]) -> set[str]:
 
 def _header(program: Program, source: str, coordinates: str | None, counts: dict[str, int]) -> str:
     scene = program.scene
-    assignments, outputs = count_checked(program)
+    assignments = sum(1 for _ in program.assignments())
+    outputs = sum(len(result.expressions) for function in program.functions for result in function.results)
     contacts = ", ".join(f"{name} {count}" for name, count in counts.items() if name.startswith("contact_"))
     unchecked = [effect for effect, _ in program.tables["UNCHECKED"]]
     verdict = (

@@ -191,6 +191,11 @@ class Joint:
         slides = (freedom for freedom in self.freedoms if freedom.kind == "slide")
         return tuple((slide.axis, self.turns_before(slide)) for slide in slides if slide.axis is not None)
 
+    @property
+    def main_axis(self) -> Direction | None:
+        """Axis of its first slide, else of its first turn; None without one, as of a ball."""
+        return next((axis for axis, _ in self.sliding), next(iter(self.turning), None))
+
     def turns_before(self, freedom: Freedom) -> int:
         """Number of the joint's turns that carry a freedom."""
         earlier = self.freedoms[: self.freedoms.index(freedom)]

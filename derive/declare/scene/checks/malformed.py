@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.faults import Fault
+from hertzwerk.derive.common.faults import Fault, shown
 from hertzwerk.derive.declare.effects.effect import Effect
 from hertzwerk.derive.declare.mechanism.bodies import Body
 from hertzwerk.derive.declare.mechanism.joints.joint import Joint
@@ -40,7 +40,9 @@ def shape_faults(scene: Scene) -> Iterator[Fault]:
         yield from _texts("mechanism", mechanism)
         yield from _all("joints", mechanism.joints, JOINT, lambda joint: isinstance(joint, Joint))
         yield from _all("pairs", mechanism.pairs, PAIR, lambda pair: isinstance(pair, Pair))
-    yield from _all("effects", scene.effects, EFFECT, _is_effect)
+    yield from _all(
+        "effects", scene.effects, EFFECT, lambda e: isinstance(e, Effect) and is_dataclass(e) and hasattr(e, "kind")
+    )
     if not hasattr(scene.scales, "length"):
         yield Fault("scales", shown(scene.scales), "Scales(length=..., speed=...)")
     if not all(hasattr(start, attribute) for attribute in ("position", "near", "speed")):
@@ -55,10 +57,6 @@ def shape_faults(scene: Scene) -> Iterator[Fault]:
             yield Fault(
                 f"start, {attribute}", shown(values), f"values by the name of a coordinate or joint, {{{example}}}"
             )
-
-
-def _is_effect(effect: Any) -> bool:
-    return isinstance(effect, Effect) and is_dataclass(effect) and hasattr(effect, "kind")
 
 
 def _all(label: str, records: Any, expected: str, fits: Callable[[Any], bool]) -> Iterator[Fault]:
@@ -112,9 +110,3 @@ def _constant(value: Any) -> bool:
     except TypeError:
         return False
     return True
-
-
-def shown(value: Any) -> str:
-    """Representation of a value in one line."""
-    text = " ".join(repr(value).split())
-    return text if len(text) <= 80 else f"{text[:77]}..."

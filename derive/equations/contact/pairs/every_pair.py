@@ -31,7 +31,9 @@ def every_pair(name: str, spheres: Iterable[Body | Point], radius: Scalar) -> tu
     there in place of what the others share. Raises InputError, listing every fault.
     """
     where = f"pairs {name if isinstance(name, str) else shown(name)}"
-    places = [_place(sphere) for sphere in spheres] if isinstance(spheres, Iterable) else None
+    places: list[Any] | None = None
+    if isinstance(spheres, Iterable):  # what is no body or point is a fault
+        places = [sphere.at(*sphere.centre) if isinstance(sphere, Body) else sphere for sphere in spheres]
     faults = [*name_faults("pairs", name), *_faults(where, spheres, places, radius)]
     if places is None or faults:
         raise InputError(where, faults)
@@ -40,11 +42,6 @@ def every_pair(name: str, spheres: Iterable[Body | Point], radius: Scalar) -> tu
         for (i, first), (j, second) in combinations(enumerate(places, 1), 2)
         if first.body != second.body
     )
-
-
-def _place(sphere: Any) -> Any:
-    """Centre of a sphere; what is none is left as it is."""
-    return sphere.at(*sphere.centre) if isinstance(sphere, Body) else sphere
 
 
 def _faults(where: str, spheres: Any, places: list[Any] | None, radius: Any) -> Iterator[Fault]:

@@ -37,20 +37,14 @@ class OnSolidCurve(Pair):
     @property
     def geometry(self) -> dict[str, Any]:
         """Radius of relative curvature and length, where given."""
-        sizes = {
-            "R_eff": self._field("curvature_radius"),
-            "R_min": self._field("curvature_radius"),
-            "L": self._field("length"),
-        }
+        radius, length = getattr(self, "curvature_radius", None), getattr(self, "length", None)
+        sizes = {"R_eff": radius, "R_min": radius, "L": length}
         return {name: value for name, value in sizes.items() if value is not None}
-
-    def _field(self, name: str) -> Any:
-        return getattr(self, name, None)
 
     @property
     def curves(self) -> tuple[Any, ...]:
         """The curve."""
-        return (self._field("curve"),)
+        return (getattr(self, "curve", None),)
 
     def slots(self) -> Iterator[Slot]:
         """Yield the quantities of the pair, its curve's included."""
@@ -60,7 +54,7 @@ class OnSolidCurve(Pair):
 
     def faults(self) -> Iterator[Fault]:
         """Yield the fault of a curve with copies, which are searched between curves alone."""
-        yield from single_faults(f"pair {self.name}", self._field("curve"))
+        yield from single_faults(f"pair {self.name}", getattr(self, "curve", None))
 
 
 @dataclass(frozen=True)

@@ -157,15 +157,8 @@ class LyingCylinder(Face):
                         "Give it a RimOnPlane for each end.")  # fmt: skip
 
 
-class Rim(Touch):
+class Rim(Face):
     """Lowest point of a disc's rim over a plane."""
-
-    proved: ClassVar[bool] = True
-
-    @cached_property
-    def normal(self) -> Vector:
-        """Normal of the plane."""
-        return self.named(self.kin.direction(self.second, self.pair.normal), "direction")
 
     @cached_property
     def _up(self) -> tuple[Vector, Any]:
