@@ -11,27 +11,13 @@ from hertzwerk.runtime.engine.run.run_request import METHOD
 from hertzwerk.runtime.loading import engine_model
 
 SLOW = {case.name for case in CASES if case.long}
-ONE_ENGINE = {
-    "boxes_corner_over_corner",
-    "falling_chain_of_3",
-    "rocking_block",
-}  # in CI by dop853: to build the default's two methods takes many seconds
+# in CI by dop853: to build the default's two methods takes many seconds
+ONE_ENGINE = {"boxes_corner_over_corner", "falling_chain_of_3", "rocking_block"}
 LASTING = {("thin_friction_layer", "rodas")}  # seconds
 REFERENCES = ("cvodes", "idas")  # slow, and outside the graph: there is no C of them
 PAIRS = [(case, method) for case in CASES for method in case.methods]
-
-
-IN_CI = ("dop853", "esdirk")  # whose C is compiled there; compiling takes most of the time
-LONG_IN_C = {
-    "falling_chain_of_3", "touching_row_cubic", "touching_row_fine", "touching_row_linear", "redundant_constraints",
-    "two_waves_meet", "change_points", "row_of_5", "slips_before_lift_off_beside_wall",
-}  # fmt: skip
-
-
-def in_ci(case, method):
-    """Whether a case is two of every forty-eight, and the method of the two by turns, an edge of a range by its side."""
-    second = case.name.endswith("_upper") if case.name.startswith("edge_") else CASES.index(case) % 2
-    return CASES.index(case) % 48 < 2 and method == IN_CI[second] and case.name not in LONG_IN_C
+# in CI as C, which takes long to compile
+IN_CI = {"impact_e001_exact": "esdirk", "edge_slider_crank_crank_mass_lower": "dop853"}
 
 
 def by_turns(case, method):
@@ -45,7 +31,7 @@ def by_turns(case, method):
 
 def marked(case, method, *, native):
     """Seconds: slow; minutes, or what another method's stands for: exhaustive, as `hertzwerk hardcases --all` is."""
-    if case.name in SLOW or not (in_ci if native else by_turns)(case, method):
+    if case.name in SLOW or not (IN_CI.get(case.name) == method if native else by_turns(case, method)):
         marks = [pytest.mark.exhaustive]
     else:
         marks = [pytest.mark.slow] if native or (case.name, method) in LASTING or method in REFERENCES else []

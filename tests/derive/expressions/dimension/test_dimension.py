@@ -130,18 +130,6 @@ def test_repair(expression, unit, subexpression, found, exponent, repair):
     assert fault.consistent_exponent == exponent
 
 
-@each("row", [row for row in REPAIRED if row[4] is not None])
-def test_repaired_expression_is_consistent(row):
-    """The exponent named, put in the place the sentence names, gives the expected dimension; a neighbour does not."""
-    _, unit, _, _, exponent, repair = row
-    sentence = repair.split(": ")[-1].split(" is ")[0]
-    named = sp.sympify(sentence, locals={str(symbol): symbol for symbol in TABLE})  # a test's own text
-    (name,) = named.free_symbols & {n, k}
-    at = dict(TABLE) | {symbol: Dimension.from_unit("N/m^n", {"n": exponent}) for symbol in (Kn,)}
-    assert dimension_of(named.subs(name, exponent), at) == dim(unit)
-    assert dimension_of(named.subs(name, exponent + Rational(1, 2)), at) != dim(unit)
-
-
 @each("mixed", [x + 1, 1 + theta + t, Min(F, mu), Where(d > 0, 1, x), sp.Matrix([1, x])])
 def test_of_two_the_number_is_the_odd_one(mixed):
     """A number beside a length is more often a hidden unit than the length is a mistake."""

@@ -166,19 +166,9 @@ ALL = tuple(kind for kind in PLAIN if kind != "effect")  # a contact is an effec
 
 
 FEW = (
-    "x1",
-    "k1",
-    "constants",
-    "PARAMETERS",
-    "länge",
-    "stiﬀness",
-    "n" * 90,
-    "_gamma",
-    "PUSH_TABLE",
-    "ca",
-    "nan",
-    TEXTS[0],
-)
+    "x1", "k1", "constants", "PARAMETERS", "länge", "stiﬀness", "n" * 90, "_gamma", "PUSH_TABLE", "ca", "nan", "casadi", "float",
+    "inverse_mass", "fall_travel", TEXTS[0],
+)  # fmt: skip
 
 
 @pytest.mark.parametrize("name", FEW, ids=ascii)

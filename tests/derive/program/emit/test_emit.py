@@ -212,20 +212,6 @@ def test_any_summary_and_source_make_a_module_that_holds_them():
     assert in_contact(derived) == pytest.approx(in_contact(Derived(drop())))
 
 
-NAMES = [
-    "ca", "t", "p", "q", "u", "a", "f", "z", "m", "c", "reactions", "casadi", "x1", "x2", "k1", "inverse_mass",
-    "base", "gaps", "floor_gap", "fall_travel", "float",
-]  # fmt: skip
-
-
-@pytest.mark.by_turns(3)
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("what", ["mass", "stiffness", "radius"])
-def test_no_name_of_a_parameter_changes_the_equations(name, what):
-    """Names of arguments and of CasADi give way to those of a scene, which may be a textbook's letters."""
-    assert in_contact(Derived(drop(**{what: name}))) == pytest.approx(in_contact(Derived(drop())), rel=1e-15)
-
-
 def test_names_of_shared_sub_expressions_do_not_overwrite_parameters():
     """The slider-crank names sub-expressions in words, else x1, x2; parameters of these names keep their values."""
     rename = {"crank_radius": "clearance_squared", "rod_length": "x1", "bush_radius": "x2"}

@@ -83,11 +83,6 @@ def test_a_grid_changes_nothing_else(case, small_blocks):
     assert grid.statistics.steps == steps.statistics.steps == len(steps.t) - 1 or case == "cvodes"
 
 
-def test_the_choices_of_a_run_that_changes_its_method_are_found_across_blocks(small_blocks):
-    grid = run("resting", grid=2)
-    assert [choice.method for choice in grid.engine.choices[:2]] == ["explicit", "implicit"]
-
-
 def test_blocks_of_every_size_find_the_same(monkeypatch):
     steps = run("squeezed")
     size = steps.engine.history.rows[0].nbytes
@@ -100,16 +95,6 @@ def test_blocks_of_every_size_find_the_same(monkeypatch):
         )
         assert grid.impacts == steps.impacts
         assert np.array_equal(grid["track.travel"], steps.at(grid.t)["track.travel"])
-
-
-def test_free_flight_on_a_grid_is_the_parabola():
-    ball = built("bouncing_ball")
-    grid = simulate(ball, duration="0.45 s", tolerance=1e-10, grid="1 ms")
-    assert len(grid.t) == 451
-    assert grid.statistics.steps < 40
-    assert np.allclose(grid["vertical.travel"], 1.1 - 9.81 * grid.t**2 / 2, rtol=0, atol=1e-13)
-    assert np.allclose(grid["vertical.speed"], -9.81 * grid.t, rtol=0, atol=1e-12)
-    assert np.allclose(grid["energy"], grid["energy"][0], rtol=1e-13, atol=0)
 
 
 @pytest.mark.parametrize(

@@ -47,40 +47,18 @@ def impact_alone(ball, method, **parameters):
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_elastic_impact_of_two_bodies(ball, method):
-    run = impact_alone(ball, method, restitution=1.0)
-    exact = closed_forms.collision("2.4e10", 1.5, 1, str(DROP))
+@pytest.mark.parametrize("e", [1.0, 0.95, 0.5, 0.05])
+def test_impact_of_two_bodies(ball, method, e):
+    h = closed_forms.factor("flores", str(e))
+    exact = closed_forms.collision("2.4e10", 1.5, 1, str(DROP), h)
+    run = impact_alone(ball, method, restitution=e)
     (impact,) = run.impacts
     assert impact.t == 0
     assert impact.peak_penetration == pytest.approx(exact.depth, rel=1e-9)
     assert impact.peak_force == pytest.approx(exact.peak_force, rel=1e-9)
     assert impact.duration == pytest.approx(exact.duration, rel=1e-9)
-    assert run.engine.final["vertical.speed"] == pytest.approx(DROP, rel=1e-9)
-
-
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("e", [0.95, 0.5, 0.05])
-def test_damped_impact_of_two_bodies(ball, method, e):
-    h = closed_forms.factor("flores", str(e))
-    exact = closed_forms.collision("2.4e10", 1.5, 1, str(DROP), h)
-    run = impact_alone(ball, method, restitution=e)
-    (impact,) = run.impacts
-    assert impact.peak_penetration == pytest.approx(exact.depth, rel=1e-9)
-    assert impact.peak_force == pytest.approx(exact.peak_force, rel=1e-9)
     assert run.engine.final["vertical.speed"] / DROP == pytest.approx(exact.restitution, rel=1e-9)
     assert run.engine.final["floor.dissipated"] == pytest.approx(exact.dissipated, rel=1e-9)
-
-
-@pytest.mark.parametrize("method", METHODS)
-def test_drop_on_the_plane(ball, method):
-    run = simulate(ball, duration="0.46 s", tolerance=METHODS[method], method=method, parameters={"restitution": 1.0})
-    (impact,) = run.impacts
-    v0 = closed_forms.drop_speed(1, "9.81")
-    assert impact.speed == pytest.approx(v0, rel=1e-12)
-    assert impact.peak_penetration == pytest.approx(
-        closed_forms.depth_with_gravity("2.4e10", 1.5, 1, v0, "9.81"), rel=1e-9
-    )
-    assert run.energy_residual < 1e-9
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -179,43 +157,6 @@ def test_bodies_that_err_nothing_do_not_excuse_the_two_that_collide(norm):
 # ---- starts ----------------------------------------------------------------------------------------------------------
 
 
-def elastic(**options):
-    return point(
-        lambda d, v, v0: 1e4 * d * (1 + 0 * v0), scales=(1e-2, 1.0, 100.0, 1.0), stored=lambda d: 5e3 * d * d, **options
-    )
-
-
-def test_start_in_deep_penetration_at_rest():
-    run = simulate(elastic(), duration=0.05, tolerance=1e-10, initial={"path.travel": "-0.01 m"})
-    assert run.engine.final["path.speed"] == pytest.approx(1.0, rel=1e-8)  # w d = 100 * 0.01
-    assert run.impacts[0].duration == pytest.approx(math.pi / 200, rel=1e-8)
-    assert run.energy_residual < 1e-9
-    assert any("approach_floor" in warning for warning in run.warnings)
-
-
-def test_start_on_the_surface_leaving_it():
-    run = simulate(elastic(), duration=1.0, initial={"path.travel": "0 m", "path.speed": "1 m/s"}, tolerance=1e-6)
-    assert run.impacts == ()
-    assert run.engine.final["path.travel"] == pytest.approx(1.0, rel=1e-12)
-
-
-def test_start_where_the_law_would_pull_is_released():
-    damped = point(lambda d, v, v0: 1e4 * d * (1 + v / v0), scales=(1e-2, 1.0, 100.0, 1.0))
-    run = simulate(damped, duration=0.05, initial={"path.travel": "-0.01 m", "path.speed": "1 m/s"}, tolerance=1e-6)
-    assert run.engine.final["path.travel"] == pytest.approx(0.04, rel=1e-12)  # no force at all
-    assert run["surface.mode"][0] == 2
-
-
-def test_a_ball_at_rest_in_its_static_penetration_stays_there():
-    model = point(
-        lambda d, v, v0: 1e4 * d * (1 + 0 * v0), push=lambda t, x, v: -9.81 + 0 * t, scales=(1e-3, 1.0, 10.0, 1.0)
-    )
-    run = simulate(model, duration=1.0, tolerance=1e-8, initial={"path.travel": "-9.81e-4 m"})
-    assert run.outcome.finished
-    assert np.max(np.abs(run["path.travel"] + 9.81e-4)) < 1e-9
-    assert run.impacts[0].duration is None
-
-
 def test_a_push_on_a_body_at_rest_is_not_stepped_over():
     """At rest steps grow; K = 9.81 N/m from x = -1 m, pushed by 0.1 N for 1.2 s of 10 s: it swings by 2 P/K sin(w 1.2/2) afterwards."""
     k, push = 9.81, 0.1
@@ -295,16 +236,6 @@ def stopped(run, name):
     return run
 
 
-def test_outcome_too_many_steps(ball):
-    run = stopped(simulate(ball, duration="1 s", max_steps=5, tolerance=1e-6), "too_many_steps")
-    assert run.statistics.steps == 5
-
-
-def test_outcome_event_limit(ball):
-    run = stopped(simulate(ball, duration="5 s", max_events=3, tolerance=1e-6), "event_limit")
-    assert run.statistics.events == 4
-
-
 def test_outcome_outside_law_range():
     model = falling(lambda d, v, v0: 1e3 * d, in_range=lambda d: d < 0.05)
     run = stopped(simulate(model, duration=1.0, tolerance=1e-6), "outside_law_range")
@@ -316,32 +247,6 @@ def test_outcome_not_finite():
     model = falling(lambda d, v, v0: ca.sqrt(0.01 - d) * 1e3)
     run = stopped(simulate(model, duration=1.0, tolerance=1e-6), "not_finite")
     assert -0.01 <= run.engine.final["path.travel"] < -0.0099
-
-
-def test_outcome_not_finite_from_the_start():
-    run = simulate(point(push=lambda t, x, v: ca.log(x - 2)), duration=1.0, tolerance=1e-6)
-    assert run.outcome.name == "not_finite"
-    assert run.t == [0.0]
-
-
-def test_outcome_step_too_small():
-    """A singular force at x = 1/2 that grows without bound but never becomes infinite in a step."""
-    model = point(push=lambda t, x, v: -1 / ca.fabs(x - 0.5) ** 3, scales=(1e-6, 1e-6, 1e-6, 1e-6))
-    stopped(simulate(model, duration=10.0, tolerance=1e-12), "step_too_small")
-
-
-def test_outcome_wall_time_limit():
-    model = falling(lambda d, v, v0: 1e14 * d)
-    stopped(simulate(model, duration=1e5, tolerance=1e-10, wall_time=0.05), "wall_time_limit")
-
-
-def test_outcome_interrupted():
-    def stop(fraction):
-        raise KeyboardInterrupt
-
-    model = falling(lambda d, v, v0: 1e14 * d)
-    run = stopped(simulate(model, duration=1000.0, progress=stop, tolerance=1e-6), "interrupted")
-    assert run.t[-1] > 0
 
 
 # ---- bad input -------------------------------------------------------------------------------------------------------
@@ -463,15 +368,6 @@ def test_geometry_that_can_just_be_is_accepted(crank):
 
 
 # ---- the solution ----------------------------------------------------------------------------------------------------
-
-
-def test_names_and_misspelt_names(crank):
-    run = simulate(crank, duration="1 ms", tolerance=1e-6)
-    for name in run:
-        assert run[name].shape == run.t.shape
-        assert np.all(np.isfinite(run[name])), name
-    with pytest.raises(KeyError, match=r"guide\.travel"):
-        run["guide.trawel"]
 
 
 def test_one_line_says_how_it_went(ball):
