@@ -25,22 +25,12 @@ from reference.body_on_plane import Body, Motion, motions, program
 
 SEED, GRAVITY, RUB_SPEED = 20261124, 9.81, 1e-3
 RESTITUTIONS = {  # of each law by restitution: what it is tried with
-    "hunt_crossley": (0.3, 1.0),
-    "herbert_mcwhannell": (0.2, 1.0),
-    "lee_wang": (0.3, 1.0),
-    "lankarani_nikravesh": (0.3, 1.0),
-    "gonthier": (0.15, 1.0),
-    "zhiying_qishao": (0.2, 1.0),
-    "flores": (0.15, 1.0),
-    "gharib_hurmuzlu": (0.1, 0.6),
-    "hu_guo": (0.15, 1.0),
-    "carvalho_martins": (0.1, 1.0),
-    "safaeifar_farshidianfar": (0.15, 1.0),
-    "exact": (0.1, 1.0),
-    "kelvin_voigt": (0.1, 1.0),
-    "tsuji": (0.1, 1.0),
+    "hunt_crossley": (0.3, 1.0), "herbert_mcwhannell": (0.2, 1.0), "lee_wang": (0.3, 1.0),
+    "lankarani_nikravesh": (0.3, 1.0), "gonthier": (0.15, 1.0), "zhiying_qishao": (0.2, 1.0), "flores": (0.15, 1.0),
+    "gharib_hurmuzlu": (0.1, 0.6), "hu_guo": (0.15, 1.0), "carvalho_martins": (0.1, 1.0),
+    "safaeifar_farshidianfar": (0.15, 1.0), "exact": (0.1, 1.0), "kelvin_voigt": (0.1, 1.0), "tsuji": (0.1, 1.0),
     "jankowski": (0.1, 1.0),
-}
+}  # fmt: skip
 OTHERS = ("elastic", "ristow", "kuwabara_kono", "power_damping")
 REQUESTS = (1e-4, 1e-6, 1e-8)
 SAMPLES = 100  # rows of a run, at most, at which it is judged

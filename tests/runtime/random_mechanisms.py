@@ -311,10 +311,5 @@ def tree(dice: Dice, name: str, draws: int) -> Drawn:
 
 
 KINDS: dict[str, Callable[[Dice, str, int], Drawn]] = {
-    "chain": chain,
-    "crank": crank,
-    "thrown": thrown,
-    "balls": balls,
-    "loop": loop,
-    "tree": tree,
-}
+    "chain": chain, "crank": crank, "thrown": thrown, "balls": balls, "loop": loop, "tree": tree,
+}  # fmt: skip

@@ -57,13 +57,9 @@ def written() -> list[str]:
 
 def process(*arguments, **environment):
     command = [
-        sys.executable,
-        "-W",
-        "error",
-        "-c",
-        "from hertzwerk.runtime.cli import main; main(prog_name='hertzwerk')",
+        sys.executable, "-W", "error", "-c", "from hertzwerk.runtime.cli import main; main(prog_name='hertzwerk')",
         *arguments,
-    ]
+    ]  # fmt: skip
     return subprocess.run(
         command,
         capture_output=True,
@@ -158,13 +154,8 @@ def test_a_run_is_one_new_folder_with_everything_in_it(hertzwerk):
     assert done.exit_code == 0
     folder = Path("runs/two_spheres-001")
     assert sorted(path.name for path in folder.iterdir()) == [
-        "mechanism.png",
-        "overview.png",
-        "run.json",
-        "spheres.png",
-        "states.csv",
-        "states.npz",
-    ]
+        "mechanism.png", "overview.png", "run.json", "spheres.png", "states.csv", "states.npz",
+    ]  # fmt: skip
     kept = json.loads((folder / "run.json").read_text())
     assert kept["parameters"]["youngs_modulus"] == {"value": 207, "unit": "GPa"}
     assert kept["versions"].keys() == {"hertzwerk", "casadi", "numpy", "python"}
@@ -202,29 +193,10 @@ def test_json_has_the_promised_fields_and_writes_nothing(hertzwerk):
     done = hertzwerk("run", "ball_between_walls", "--json")
     content = json.loads(done.output)
     assert list(content) == [
-        "scene",
-        "outcome",
-        "t_start",
-        "t_end",
-        "duration",
-        "accuracy",
-        "tolerance",
-        "method",
-        "compiled",
-        "steps",
-        "rejected",
-        "rhs_evaluations",
-        "wall_s",
-        "impacts",
-        "final",
-        "energy_residual",
-        "error_estimate",
-        "horizon",
-        "growth",
-        "decade_cost",
-        "warnings",
-        "advice",
-    ]
+        "scene", "outcome", "t_start", "t_end", "duration", "accuracy", "tolerance", "method", "compiled", "steps",
+        "rejected", "rhs_evaluations", "wall_s", "impacts", "final", "energy_residual", "error_estimate", "horizon",
+        "growth", "decade_cost", "warnings", "advice",
+    ]  # fmt: skip
     assert content["impacts"][0].keys() == {"contact", "t", "speed", "peak_force", "duration"}
     assert content["t_end"] == content["duration"] == 1.3
     assert 0 < content["error_estimate"] <= content["accuracy"] == 1e-9
@@ -352,18 +324,14 @@ BAD = [  # a fault of each option; others are refused by the functions behind, s
     (("slider_crank", "--set", "clearance"), "NAME=VALUE"),
     (("slider_crank", "--set", "clearance=1 mm", "--set", "clearance=2 mm"), "twice"),
     (("slider_crank", "--set", "guide.travel=3 kg"), "guide.travel"),
-    (("slider_crank", "--duration", "5 mm"), "duration"),
-    (("slider_crank", "--accuracy", "high"), "accuracy"),
-    (("slider_crank", "--method", "euler"), "dop853"),
-    (("slider_crank", "--without", "frictoin"), "frictoin"),
+    (("slider_crank", "--duration", "5 mm"), "duration"), (("slider_crank", "--accuracy", "high"), "accuracy"),
+    (("slider_crank", "--method", "euler"), "dop853"), (("slider_crank", "--without", "frictoin"), "frictoin"),
     (("slider_crank", "--law", "slider_pin=newton"), "newton"),
     (("slider_crank", "--law", "slider_pin"), "NAME=VALUE"),
     (("slider_crank", "--coordinates", "cartesian"), "'tree', 'absolute' or 'auto'"),
-    (("bouncing_ball", "--set", "exponent=1.1"), "stiffness"),
-    (("no_such_scene",), "slider_crank"),
-    (("no_such_file.py",), "no_such_file.py"),
-    ((".",), "scene"),
-]
+    (("bouncing_ball", "--set", "exponent=1.1"), "stiffness"), (("no_such_scene",), "slider_crank"),
+    (("no_such_file.py",), "no_such_file.py"), ((".",), "scene"),
+]  # fmt: skip
 
 
 @each(("arguments", "word"), BAD)
@@ -450,15 +418,9 @@ def test_a_run_that_cannot_be_written_leaves_nothing_half_done(hertzwerk, monkey
 def test_a_run_of_a_generated_scene_imports_no_more_than_it_needs(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     command = [
-        sys.executable,
-        "-X",
-        "importtime",
-        "-c",
-        "from hertzwerk.runtime.cli import main; main()",
-        "run",
-        "slider_crank",
-        "--no-plots",
-    ]
+        sys.executable, "-X", "importtime", "-c", "from hertzwerk.runtime.cli import main; main()", "run",
+        "slider_crank", "--no-plots",
+    ]  # fmt: skip
     done = subprocess.run(command, capture_output=True, text=True, timeout=120, stdin=subprocess.DEVNULL)
     assert done.returncode == 0
     imported = {line.rpartition("|")[2].strip().split(".")[0] for line in done.stderr.splitlines()}

@@ -85,29 +85,14 @@ def test_another_start_is_a_difference_and_json_says_so(hertzwerk, data, tmp_pat
 def test_all_faults_come_before_it_runs(hertzwerk, tmp_path):
     (tmp_path / "data.csv").write_text("t [s],force [m]\n0,1\n0,x\n0,2\n")
     wrong = (
-        "--map",
-        "force=floor.force",
-        "--bandwidth",
-        "5 rpm",
-        "--offset",
-        "1..0 s",
-        "--set",
-        "mass=1 m",
-        "--noise",
+        "--map", "force=floor.force", "--bandwidth", "5 rpm", "--offset", "1..0 s", "--set", "mass=1 m", "--noise",
         "force",
-    )
+    )  # fmt: skip
     done = hertzwerk("bouncing_ball", "--measured", "data.csv", *wrong)
     assert done.exit_code == 2
     for expected in (
-        "line 3",
-        "a third time",
-        "'x'",
-        "floor.force",
-        '"5 kHz"',
-        "the lower end first",
-        "mass",
-        "NAME=VALUE",
-    ):
+        "line 3", "a third time", "'x'", "floor.force", '"5 kHz"', "the lower end first", "mass", "NAME=VALUE",
+    ):  # fmt: skip
         assert expected in done.output, (expected, done.output)
     assert not (tmp_path / "runs").exists()
 

@@ -42,17 +42,8 @@ def data(tmp_path, texts):
 
 def test_options_say_how_files_are_read(hertzwerk, data):
     how = (
-        "--units",
-        "height=furlong",
-        "--units",
-        "time=h",
-        "--decimal",
-        ",",
-        "--columns",
-        "height=7",
-        "--missing",
-        "x",
-    )
+        "--units", "height=furlong", "--units", "time=h", "--decimal", ",", "--columns", "height=7", "--missing", "x",
+    )  # fmt: skip
     done = hertzwerk("--measured", "one.csv", *how, *HOW, "--free", "restitution=0.3..1")
     assert done.exit_code == 2 and "found no column 7; expected a number from 1 to 2" in done.output
     for others in (how[:-4], (*how[:-4], "--moment", "height.rms", "--duration", "1 s")):

@@ -34,14 +34,9 @@ def test_the_list(hertzwerk):
     assert any(row.split()[:4] == ["wang_liu_internal", "stiffness", "R", "consistent"] for row in rows)
     listed = json.loads(hertzwerk("laws", "--json").output)["laws"]
     assert {
-        "kind": "damping",
-        "law": "tsuji",
-        "title": "Tsuji, Tanaka and Ishida",
-        "made for": "any contact",
-        "grade": "A",
-        "verdict": "consistent",
-        "memory": "",
-    } in listed
+        "kind": "damping", "law": "tsuji", "title": "Tsuji, Tanaka and Ishida", "made for": "any contact",
+        "grade": "A", "verdict": "consistent", "memory": "",
+    } in listed  # fmt: skip
     assert {
         **{row["law"]: row["memory"] for row in listed},
         "flores": "v0",
@@ -56,16 +51,12 @@ def test_a_sheet(hertzwerk):
     done = hertzwerk("laws", "wang_liu_secant", "lankarani_nikravesh", "goldsmith")
     assert done.exit_code == 0
     for said in (
-        "R: reconstruction: the expression of the paper was not available",
-        "made for pin_in_bush",
+        "R: reconstruction: the expression of the paper was not available", "made for pin_in_bush",
         r"F = \frac{\pi E_{\mathrm{eff}} L d \sqrt{\frac{d}{2 d + 2 \Delta R}}}{2}",
-        "1e-06            84.6596    1.4990",
-        "h = 3*(1 - e**2)/4",
-        "e -> 1        h -> 0, the elastic law; e out -> 1",
-        "e -> 0        h -> 3/4; e out -> 0.663",
-        "inconsistent  units, as published",
-        "hertzwerk laws goldsmith_m3",
-    ):
+        "1e-06            84.6596    1.4990", "h = 3*(1 - e**2)/4",
+        "e -> 1        h -> 0, the elastic law; e out -> 1", "e -> 0        h -> 3/4; e out -> 0.663",
+        "inconsistent  units, as published", "hertzwerk laws goldsmith_m3",
+    ):  # fmt: skip
         assert said in done.output
 
 

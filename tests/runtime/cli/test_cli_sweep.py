@@ -229,13 +229,8 @@ def test_a_file_with_faults_is_refused_with_all_of_them(tmp_path):
     with pytest.raises(InputError) as caught:
         read_sweep(file)
     assert {fault.where for fault in caught.value.faults} == {
-        "targt",
-        "target",
-        "duration",
-        "outputs",
-        "sample",
-        "over.mass",
-    }
+        "targt", "target", "duration", "outputs", "sample", "over.mass",
+    }  # fmt: skip
     assert "did you mean target?" in str(caught.value)
 
 
@@ -258,14 +253,8 @@ def test_a_file_has_the_keys_of_sweep():
 
     keys = set(inspect.signature(sweep).parameters)
     assert keys - set(SweepFile.model_fields) == {
-        "out",
-        "widen",
-        "workers",
-        "client",
-        "functions",
-        "progress",
-        "compiled",
-    }
+        "out", "widen", "workers", "client", "functions", "progress", "compiled",
+    }  # fmt: skip
     assert set(SweepFile.model_fields) <= keys
 
 
@@ -273,15 +262,8 @@ def test_a_file_has_the_keys_of_sweep():
 def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path):
     """On a terminal of 80 columns, without colours where they are not wanted."""
     arguments = [
-        "sweep",
-        "slider_crank",
-        "--over",
-        "clearance=0.1..0.5 mm:400",
-        "--duration",
-        "10 rev",
-        "--tolerance",
-        "1e-9",
-    ]
+        "sweep", "slider_crank", "--over", "clearance=0.1..0.5 mm:400", "--duration", "10 rev", "--tolerance", "1e-9",
+    ]  # fmt: skip
     code = "from hertzwerk.command_line import start; start()"
     environment = {**os.environ, "COLUMNS": "80", "TERM": "xterm", "NO_COLOR": "1"}
     mine, its = pty.openpty()

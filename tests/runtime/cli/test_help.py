@@ -12,21 +12,12 @@ from hertzwerk.derive.scenes import NAMES
 from hertzwerk.runtime.cli import FILES, FIRST, main
 
 UNSTATED = {  # options of one value without a default: nothing is done without them
-    "audit": "--expr",
-    "effects": "--within",
-    "export": "--c --fmu --tolerance",
-    "handbook": "--build --notebooks",
-    "laws": "--form --picture",
-    "minimise": "--objective --tolerance",
-    "modes": "--out",
-    "propagate": "--fitted --table --tolerance",
-    "report": "--scene",
-    "rigid": "--out",
-    "run": "--continue --table",
-    "statics": "--out",
-    "study": "--measured --resume",
+    "audit": "--expr", "effects": "--within", "export": "--c --fmu --tolerance", "handbook": "--build --notebooks",
+    "laws": "--form --picture", "minimise": "--objective --tolerance", "modes": "--out",
+    "propagate": "--fitted --table --tolerance", "report": "--scene", "rigid": "--out", "run": "--continue --table",
+    "statics": "--out", "study": "--measured --resume",
     "sweep": "--cluster --continue --grid --resume --sample --section --table --tolerance",
-}
+}  # fmt: skip
 
 
 def command_of(name):

@@ -80,19 +80,12 @@ def test_an_error_names_the_line_of_the_page(tmp_path):
 @each(
     ("shown", "printed", "same"),
     [
-        ("error 4e-7", "error 4.3e-07", True),
-        ("error 4e-7", "error 7e-07", False),
-        ("1,204 steps", "1204 steps", False),
-        ("1,204 steps", "1,205 steps", False),
-        ("5 m", "5.8 m", True),
-        ("-0.52 m", "-0.5213 m", True),
-        ("-0.52 m", "-0.54 m", False),
-        ("in ... ms", "in 3.1 s, 4 ms", True),
-        ("in ... ms", "in 3.1 s", False),
-        ("finished", "finished: 2", False),
-        ("a ...", "a b c", True),
+        ("error 4e-7", "error 4.3e-07", True), ("error 4e-7", "error 7e-07", False),
+        ("1,204 steps", "1204 steps", False), ("1,204 steps", "1,205 steps", False), ("5 m", "5.8 m", True),
+        ("-0.52 m", "-0.5213 m", True), ("-0.52 m", "-0.54 m", False), ("in ... ms", "in 3.1 s, 4 ms", True),
+        ("in ... ms", "in 3.1 s", False), ("finished", "finished: 2", False), ("a ...", "a b c", True),
     ],
-)
+)  # fmt: skip
 def test_outputs_agree_within_the_digits_shown(shown, printed, same):
     assert (difference(shown, printed) == "") == same
 

@@ -120,14 +120,10 @@ def test_laws_without_e_against_another_integrator(study, name, drag):
 @pytest.mark.parametrize(
     ("name", "value"),
     [
-        ("flores", 0.3),
-        ("tsuji", 0.6),
-        ("jankowski", 0.2),
-        ("kuwabara_kono", 0.3),
-        ("ristow", 0.5),
+        ("flores", 0.3), ("tsuji", 0.6), ("jankowski", 0.2), ("kuwabara_kono", 0.3), ("ristow", 0.5),
         ("power_damping", 0.4),
     ],
-)
+)  # fmt: skip
 def test_mass_speed_and_stiffness_do_not_matter(name, value):
     """Five decades of stiffness, three of mass, one of speed: the same comes out, for the same e or the same number of the law's own."""
     trial = TRIALS[name]

@@ -82,15 +82,11 @@ def test_all_faults_of_a_file_come_at_once_with_their_lines(tmp_path):
     text = 't [s],a [m/s^2],b [furlong],c,d [m]\n0,1,1,1,1\n1,x,1,1,inf\n1,2,1,1,2\n0.5,2,1,1,2\n,2,1,1,2\n7,2\n8,2,1,1,"3,5"\n'
     actual = faults_of(tmp_path, text)
     for expected in (
-        "line 1, b: found 'b [furlong]'",
-        "line 1, c: found 'c'; expected name [unit] [1] for a plain number",
-        "line 3, a: found 'x'",
-        "line 3, d: found 'inf'",
-        "line 5: found the time 0.5, after 1",
-        "line 6: found no time",
-        "line 7: found 2 cells; expected 5",
+        "line 1, b: found 'b [furlong]'", "line 1, c: found 'c'; expected name [unit] [1] for a plain number",
+        "line 3, a: found 'x'", "line 3, d: found 'inf'", "line 5: found the time 0.5, after 1",
+        "line 6: found no time", "line 7: found 2 cells; expected 5",
         "line 8, d: found '3,5', and '0.5' in line 5, t; expected one decimal mark",
-    ):
+    ):  # fmt: skip
         assert any(expected in fault for fault in actual), (expected, actual)
     assert len(actual) == 8
 

@@ -24,13 +24,8 @@ SCENES = ("slider_crank", "geared_hoist")
 
 def test_the_table_lists_every_function_of_a_module():
     assert {name.replace("contact_<pair>", "contact") for name in LISTED} - {
-        "rates",
-        "ends",
-        "holding",
-        "begin",
-        "step",
-        "attempt",
-    } == set(_INPUTS)
+        "rates", "ends", "holding", "begin", "step", "attempt",
+    } == set(_INPUTS)  # fmt: skip
     for name, inputs in _INPUTS.items():
         assert LISTED["contact_<pair>" if name == "contact" else name] == inputs.split()
 

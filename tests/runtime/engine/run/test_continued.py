@@ -186,17 +186,13 @@ def test_a_folder_goes_on_in_a_new_one_bitwise(hertzwerk):
 def test_options_that_differ_from_the_run_are_refused_with_the_difference(hertzwerk):
     assert hertzwerk("slider_crank", *SET, "--duration", "1 ms", "--grid", "100", "--out", "one").exit_code == 0
     for options, words in (
-        (("--set", "clearance=0.2 mm"), "0.3 mm"),
-        (("--set", "guide.speed=0.2 m/s"), "0.1 m/s"),
-        (("--method", "rodas"), "expected auto"),
-        (("--accuracy", "1e-3"), "without an estimate"),
-        (("--without", "slider_pin_friction"), "none"),
-        (("--law", "slider_pin=flores"), "none"),
-        (("bouncing_ball",), "slider_crank"),
-        (("--duration", "2 ms"), "100 points over 0.001 s"),
+        (("--set", "clearance=0.2 mm"), "0.3 mm"), (("--set", "guide.speed=0.2 m/s"), "0.1 m/s"),
+        (("--method", "rodas"), "expected auto"), (("--accuracy", "1e-3"), "without an estimate"),
+        (("--without", "slider_pin_friction"), "none"), (("--law", "slider_pin=flores"), "none"),
+        (("bouncing_ball",), "slider_crank"), (("--duration", "2 ms"), "100 points over 0.001 s"),
         (("--duration", "1 ms", "--grid", "0.1 ms"), "more than the 0.001 s"),
         (("--max-steps", "many"), "positive whole number"),
-    ):
+    ):  # fmt: skip
         done = hertzwerk(*options, "--continue", "one", "--out", "two")
         assert done.exit_code == 2, (options, done.output)
         assert words in done.output

@@ -18,14 +18,8 @@ E, NU, RHO, Y, R = 210e9, 0.3, 7850.0, 0.5e9, 0.01
 MASS = 4 / 3 * math.pi * R**3 * RHO
 MODULUS = E / (2 * (1 - NU**2))  # of two bodies of this material
 CONFORMING = {
-    "persson",
-    "liu",
-    "liu_with_length",
-    "bai_zhao",
-    "bai_zhao_repaired",
-    "wang_liu_internal",
-    "wang_liu_secant",
-}
+    "persson", "liu", "liu_with_length", "bai_zhao", "bai_zhao_repaired", "wang_liu_internal", "wang_liu_secant",
+}  # fmt: skip
 WITHOUT_CURVATURE = {"galin_sneddon"}  # of a rigid profile of its own
 
 

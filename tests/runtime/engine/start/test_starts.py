@@ -26,16 +26,9 @@ from reference import scenes
 R, L, K, BASE, C, W = 0.05, 0.12, 0.10, 0.13, 5e-4, 1000 * np.pi / 30
 BUSH = hd.Parameter("bush_radius", "mm", 10)
 JOURNALS = (
-    "ball_in_socket",
-    "four_bar_clearance",
-    "journal_in_bearing",
-    "journal_lubricated",
-    "slider_crank",
-    "slider_crank_dc_motor",
-    "slider_crank_three_clearances",
-    "slider_crank_two_clearances",
-    "spatial_slider_crank",
-)
+    "ball_in_socket", "four_bar_clearance", "journal_in_bearing", "journal_lubricated", "slider_crank",
+    "slider_crank_dc_motor", "slider_crank_three_clearances", "slider_crank_two_clearances", "spatial_slider_crank",
+)  # fmt: skip
 
 
 def fresh(start):

@@ -136,15 +136,8 @@ def test_the_command_reports_a_run_folder_with_the_command_that_made_it(tmp_path
         return CliRunner().invoke(main, arguments, catch_exceptions=False)
 
     given = (
-        "soft_ball",
-        "--set",
-        "drop_height=0.5 m",
-        "--without",
-        "energy_ledger",
-        "--duration",
-        "0.5 s",
-        "--no-plots",
-    )
+        "soft_ball", "--set", "drop_height=0.5 m", "--without", "energy_ledger", "--duration", "0.5 s", "--no-plots",
+    )  # fmt: skip
     assert hertzwerk("run", *given).exit_code == 0
     assert hertzwerk("report", "runs/soft_ball-001").exit_code == 0
     page = (tmp_path / "runs/soft_ball-001/report.html").read_text("utf-8")

@@ -109,13 +109,9 @@ def test_points_of_rows_have_a_dimension_of_their_own(ball, tmp_path):
     """Rows of other lengths, a row without a run, a place without a row; times that all rows share are a coordinate."""
     over = {"drop_height": "0.05, 0.2 m", "mass": "0.1, -1 kg"}
     how = {
-        "section": "floor.gap = 0 m falling",
-        "grid": "0.1 s",
-        "duration": "1 s",
-        "tolerance": 1e-7,
-        "workers": 1,
+        "section": "floor.gap = 0 m falling", "grid": "0.1 s", "duration": "1 s", "tolerance": 1e-7, "workers": 1,
         "compiled": False,
-    }
+    }  # fmt: skip
     made = sweep(ball, over, outputs=["impacts"], **how)
     lengths = [len(t) for t in made.section["t"]]
     assert lengths[0] > lengths[2] > lengths[1] == lengths[3] == 0

@@ -131,15 +131,9 @@ def test_all_faults_of_a_request_come_at_once(run):
         )  # fmt: skip
     text = str(error.value)
     for expected in (
-        "found [m/s], which is m/s; expected a unit of m/s^2",
-        "found [1/s^2]",
-        "did you mean guide.travel",
-        "no column of this name",
-        'such as "5 kHz"',
-        "whole number in 1..12",
-        "the lower end first",
-        "a plain number",
-    ):
+        "found [m/s], which is m/s; expected a unit of m/s^2", "found [1/s^2]", "did you mean guide.travel",
+        "no column of this name", 'such as "5 kHz"', "whole number in 1..12", "the lower end first", "a plain number",
+    ):  # fmt: skip
         assert expected in text, (expected, text)
     assert "e: found no column" in text
 

@@ -303,17 +303,8 @@ def test_resume_executes_no_file_but_that_of_the_sweep(tmp_path):
     log.write_text("")
     target.write_text(SCENE.format(log=str(log)))
     call = (
-        "sweep",
-        target,
-        "--over",
-        "length=0.5,1 m",
-        "--duration",
-        "0.1 s",
-        "--tolerance",
-        "1e-6",
-        "--workers",
-        "1",
-    )
+        "sweep", target, "--over", "length=0.5,1 m", "--duration", "0.1 s", "--tolerance", "1e-6", "--workers", "1",
+    )  # fmt: skip
     assert command(*call, "--out", into).exit_code == 0
     assert command("sweep", "--resume", into, "--workers", "1").exit_code == 0
     executed = log.read_text()

@@ -176,12 +176,8 @@ def test_a_force_whose_rate_misleads_is_landed_on_all_the_same():
     force = endings(model, vectors)
     h = 5.9e-5
     start = dict.fromkeys(vectors.state.sizes, 0.0) | {
-        "h": h,
-        "mode": 1.0,
-        "force": 60.2,
-        "force_rate": -4.57e6,
-        "gap": -1e-5,
-    }
+        "h": h, "mode": 1.0, "force": 60.2, "force_rate": -4.57e6, "gap": -1e-5,
+    }  # fmt: skip
     end = start | {"force": -10.7, "force_rate": -4.65e7}
     controls = np.zeros(vectors.controls.size)
     controls[vectors.controls["scales"]] = [1e-4, 1.0, 1e4, 1.0]

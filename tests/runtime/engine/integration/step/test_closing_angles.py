@@ -160,14 +160,9 @@ def test_a_loop_moves_alike_whichever_joint_closes_it(closing, coordinates):
     assert run.outcome.finished and abs(run.energy_residual) < 1e-9
     assert np.ptp(one["hinge.angle"]) > 0.5
     for name in (
-        "main.angle",
-        "hinge.angle",
-        "cross.angle_1",
-        "cross.angle_2",
-        "hinge.speed",
-        "cross.angle_1_speed",
+        "main.angle", "hinge.angle", "cross.angle_1", "cross.angle_2", "hinge.speed", "cross.angle_1_speed",
         "cross.angle_2_speed",
-    ):
+    ):  # fmt: skip
         assert one[name] == pytest.approx(other[name], abs=1e-9), name
     for name in ("spring.torque", "soft.torque", "damper.power", "feed.torque"):
         assert one[name] == pytest.approx(other[name], abs=1e-8), name

@@ -265,15 +265,11 @@ def test_all_faults_of_an_input_come_at_once(ball):
         tolerance=0.5,
         method="rk4",
         parameters={
-            "mas": "1 kg",
-            "mass": "-1 kg",
-            "gravity": "3 m",
-            "drop_height": 1.0,
-            "restitution": 1.5,
+            "mas": "1 kg", "mass": "-1 kg", "gravity": "3 m", "drop_height": 1.0, "restitution": 1.5,
             "approach_floor": "1 knot",
         },
         initial={"vertical.speed": 3.0, "sideways.speed": "1 m/s", "vertical.travel": "1 kg"},
-    )
+    )  # fmt: skip
     assert set(faults) == {
         *("duration", "tolerance", "rk4", "mas", "mass", "gravity", "drop_height", "restitution", "approach_floor"),
         *("vertical.speed", "sideways.speed", "vertical.travel"),

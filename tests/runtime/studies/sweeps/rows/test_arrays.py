@@ -30,12 +30,8 @@ def test_returns_of_the_drive_are_whole_turns_with_the_states_of_the_run_bitwise
         for name in ("crank_pin.angle", "guide.speed"):
             assert np.array_equal(actual[name], run.at(actual["t"])[name])
     assert table.section.units == {
-        "t": "s",
-        "crank_pin.angle": "rad",
-        "guide.travel": "m",
-        "crank_pin.speed": "rad/s",
-        "guide.speed": "m/s",
-    }
+        "t": "s", "crank_pin.angle": "rad", "guide.travel": "m", "crank_pin.speed": "rad/s", "guide.speed": "m/s",
+    }  # fmt: skip
 
 
 def test_the_phase_of_what_depends_on_time_is_that_of_a_constant_drive(crank):
