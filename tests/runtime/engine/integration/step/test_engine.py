@@ -236,6 +236,13 @@ def stopped(run, name):
     return run
 
 
+def test_outcomes_of_limits_come_at_the_counts_given(ball):
+    run = stopped(simulate(ball, duration="1 s", max_steps=5, tolerance=1e-6), "too_many_steps")
+    assert run.statistics.steps == 5
+    run = stopped(simulate(ball, duration="5 s", max_events=3, tolerance=1e-6), "event_limit")
+    assert run.statistics.events == 4
+
+
 def test_outcome_outside_law_range():
     model = falling(lambda d, v, v0: 1e3 * d, in_range=lambda d: d < 0.05)
     run = stopped(simulate(model, duration=1.0, tolerance=1e-6), "outside_law_range")
