@@ -69,6 +69,30 @@ def test_frequencies_are_those_of_euler_and_bernoulli(ends, by, roots, coordinat
     assert np.allclose(2 * np.pi * np.array(found), PACE * np.square(roots), rtol=1e-9)
 
 
+def two_spans(middle):
+    """Frequencies of a beam of two rods, pinned at both ends and above the support between them."""
+    half, joints = LENGTH / 2, []
+    one, two = (
+        FlexibleRod(name, half, MASS / 2, STIFF, modes=2, cubics=True, ends=("pinned", "pinned"))
+        for name in ("one", "two")
+    )
+    for k, rod in enumerate((one, two), 1):
+        pad = Body(f"pad_{k}", Parameter(f"pad_mass_{k}", "kg", 1e-9))
+        joints += [Prismatic(f"guide_{k}", GROUND.at(half * k, 0, 0), pad, X), Revolute(f"pin_{k}", rod.end, pad, Z)]
+    tree = Revolute("hinge", GROUND, one.start, Z), one, middle(one.end, two.start), two
+    found = modes(load(scene((*tree, *joints)))).frequencies
+    return 2 * np.pi * np.array(found) / PACE / 4  # of the half length
+
+
+def test_rods_welded_over_a_support_are_a_beam_of_two_spans():
+    """Its modes are those of a pinned span and of one that is clamped at the support, in turn: Blevins (1979), table 8-2."""
+    exact = np.square((np.pi, 3.926602312047919, 2 * np.pi))
+    errors = two_spans(lambda end, start: Weld("middle", end, start))[:3] / exact - 1
+    assert (abs(errors) < (3e-4, 0.02, 1e-4)).all()
+    hinged = two_spans(lambda end, start: Revolute("middle", end, start, Z))[:2]
+    assert hinged == pytest.approx(exact[[0, 0]], rel=3e-3)  # the seeded fault: two beams
+
+
 @pytest.mark.parametrize("options", [{"modes": 3}, {"modes": 1, "cubics": True, "ends": ("clamped", "clamped")}])
 def test_each_mode_has_the_damping_ratio(options):
     beam = rod(**options, damping_ratio=Parameter("damping", "1", 0.02))

@@ -84,7 +84,7 @@ def rigid(target: str, out: Path | None, as_json: bool, **options: Any) -> int:
         if limit.outcome.finished:
             apart, end = limit.differences
             click.echo(
-                f"a run with a hundredth of the tolerance: impacts within {apart:.1g} s, the end within {end:.1g} of its scales"
+                f"error by a run with a hundredth of the tolerance: {apart:.1g} s of impacts, {end:.1g} of its scales at the end"
             )
     draw_into(out, limit.plot, announced=not as_json)
     return GOOD if limit.outcome.finished else OTHER_OUTCOME

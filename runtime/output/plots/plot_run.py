@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from hertzwerk.runtime.engine.solution.history import History
 from hertzwerk.runtime.output.plots.arrangement import Arrangement
 from hertzwerk.runtime.output.plots.curves import Curves, impact_curves
+from hertzwerk.runtime.output.plots.dents import dents_of, draw_dents
 from hertzwerk.runtime.output.plots.plot_panel import CONSTANT, LEGEND_ROOM, caption, empty_panel, legend, panel
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, STYLE, VERMILLION
 from hertzwerk.runtime.output.plots.save_figure import png_of
@@ -152,7 +153,11 @@ def _pair(curves: Curves, name: str) -> Figure:
             else:
                 _first_impact(run, impact, {below: _impact_force})
         else:
-            grid = figure.add_gridspec(2, 2)
+            dents = dents_of(run, name)
+            grid = figure.add_gridspec(2 + bool(dents), 2, height_ratios=(1, 1, 0.55)[: 2 + bool(dents)])
+            if dents:
+                figure.set_figheight(8.4)
+                draw_dents(figure.add_subplot(grid[2, :]), dents)
             _gap(figure.add_subplot(grid[0, :]), curves, name)
             below, beside = (figure.add_subplot(grid[1, k]) for k in (0, 1))
             _first_impact(run, impact, {below: _impact_force, beside: _impact_loop})

@@ -228,6 +228,17 @@ def test_slider_crank_converges_impact_by_impact():
     assert 0 < apart < 1e-10 and 0 < end < 1e-7
 
 
+def test_the_error_is_that_of_a_run_far_finer():
+    """Of a four-bar with clearance, whose impacts amplify the tolerance; not that of a run as coarse."""
+    coarse, finest = (
+        rigid_limit("four_bar_clearance", RigidImpact(0.5), duration="20 ms", tolerance=tolerance)
+        for tolerance in (1e-5, 1e-11)
+    )
+    end = np.max(np.abs(coarse.motion.y[-1] - finest.motion.y[-1]) / coarse.sizes)
+    assert coarse.differences[1] == pytest.approx(end, rel=0.1)
+    assert finest.differences[1] < 1e-3 * end  # the seeded fault: one that does not depend on the tolerance
+
+
 def test_poisson_and_newton_agree_without_friction():
     runs = [
         rigid_limit("bouncing_ball", RigidImpact(0.5, rule=rule), duration="1.2 s") for rule in ("newton", "poisson")

@@ -42,6 +42,7 @@ RUNS = [
     ("incline_lugre", "auto", "0.1 s", {}),
     ("incline_coulomb", "dop853", "0.2 s", {}),
     ("spatial_slider_crank", "dop853", "20 ms", {}),
+    ("yielding_ball", "dop853", "0.8 s", {}),
 ]
 
 

@@ -14,6 +14,7 @@ from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.model.build import scene_from
 from hertzwerk.runtime.engine.solution.solution import EngineRun
 from hertzwerk.runtime.output.plots import curves
+from hertzwerk.runtime.output.plots.dents import dents_of
 from hertzwerk.runtime.output.plots.picture_samples import dense
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 from hertzwerk.runtime.output.plots.worn_contours import INSTANTS, contour, worn_surfaces
@@ -187,3 +188,16 @@ def test_the_page_of_a_wear_has_its_contours():
     assert "depth enlarged" in contours.get_title(loc="left")
     assert len(contours.lines) == 2 * (1 + INSTANTS) and len(unrolled.lines) == 2 * INSTANTS
     assert volume.lines[0].get_ydata()[-1] == pytest.approx(run["wear.volume"][-1] * 1e9)
+
+
+def test_the_page_of_a_contact_that_yields_has_its_dents():
+    """To scale: the cap of the first dent is as deep as its history, and as wide as the contact was."""
+    run = simulate("yielding_ball", duration="0.8 s", tolerance=1e-7, compiled=False)
+    (depth, half), second = dents_of(run, "floor")
+    assert depth == run["floor.dent"].max() > second[0] > 1e-6
+    assert half == pytest.approx(np.sqrt(0.025 * run["floor.deepest"].max()), rel=1e-12)
+    axis = run.plot("floor").axes[0]
+    factor = float(axis.get_title(loc="left").split(" times")[0].split()[-1])
+    x, y = axis.lines[0].get_data()
+    assert (x[-1], -y.min()) == pytest.approx((1e3 * half, 1e3 * factor * depth), rel=1e-9)
+    assert dents_of(simulate("yielding_ball", duration="0.2 s", tolerance=1e-7, compiled=False), "floor") == []

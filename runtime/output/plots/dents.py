@@ -1,0 +1,53 @@
+"""Panel of the dents that the impacts of an elastic-plastic contact leave, their depth enlarged."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from hertzwerk.runtime.engine.run.continuation import parameters_of
+from hertzwerk.runtime.output.plots.picture_samples import end_of
+from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY
+from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
+
+DRAWN, SHOWN, MARGIN = 6, 0.08, 1.4  # dents; deepest as shown and half of the width, over the widest
+
+
+def dents_of(run: EngineSolution, pair: str) -> list[tuple[float, float]]:
+    """Depth and half-width [m] of the dents that the first impacts leave, in their order."""
+    if f"{pair}.dent" not in run:
+        return []
+    model, dents = run.engine.model, []
+    sizes = model.landmarks(model.bind(parameters_of(run, model)).p)
+    marks = zip(model.module.LANDMARKS, sizes, strict=True)
+    curvature = sum(1 / float(at[3]) for row, at in marks if row[0] == pair and row[4][:1] == ("radius",))
+    for impact in (each for each in run.impacts if each.contact == pair and curvature):
+        rows = (run.t >= impact.t) & (run.t <= end_of(impact, run))
+        depth = float(np.max(run[f"{pair}.dent"][rows], initial=0))
+        if depth > 0:
+            dents.append((depth, float(np.sqrt(np.max(run[f"{pair}.deepest"][rows]) / curvature))))
+    return list(dict.fromkeys(dents))[:DRAWN]
+
+
+def draw_dents(axis: Axes, dents: list[tuple[float, float]]) -> None:
+    """Draw each dent as a cap, the first one heavy."""
+    deepest, widest = (max(of) for of in zip(*dents, strict=True))
+    scale = scale_of("m", widest)
+    factor = float(f"{SHOWN * 2 * widest / deepest:.2g}")
+    for i, (depth, half) in enumerate(dents):
+        x = np.linspace(-half, half, 101)
+        axis.plot(scale(x), -factor * depth * scale(1 - (x / half) ** 2), color=BLUE, alpha=1 - 0.8 * i / DRAWN)
+    axis.axhline(0, color=GREY, linewidth=0.8, zorder=0)
+    axis.set(aspect="equal", xlim=np.array([-MARGIN, MARGIN]) * scale(widest), yticks=[])
+    axis.set_ylim(-2 * MARGIN * SHOWN * scale(widest), MARGIN * SHOWN * scale(widest))
+    of_depth = scale_of("m", deepest)
+    axis.set_title(
+        f"Dents of {len(dents)} impact{'s' * (len(dents) > 1)}, depth enlarged {factor:g} times: the deepest {of_depth(deepest):.3g} {of_depth.unit}"
+    )
+    axis.set_xlabel(f"distance from the middle [{scale.unit}]; as caps as wide as √(R d) at the largest penetration d")
