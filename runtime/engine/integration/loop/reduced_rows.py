@@ -50,15 +50,15 @@ class ReducedRows:
     def __getitem__(self, key: Any) -> Any:
         rows, columns = key if isinstance(key, tuple) else (key, slice(None))
         own, places, others = self.own[rows], self.columns.own[columns], self.others[columns]
-        if np.ndim(places) == 0:
+        if places.ndim == 0:
             return own[..., places] if places != NONE else np.full(own.shape[:-1], others)
+        if len(places) == self.columns.size:
+            read = np.empty((*own.shape[:-1], len(places)))
+            read[:], read[..., self.columns.places] = others, own
+            return read
         if len(places) and places[0] != NONE and np.all(places == places[0] + np.arange(len(places))):
             return own[..., places[0] : places[-1] + 1]
         read = np.empty((*own.shape[:-1], len(places)))
-        if len(places) == self.columns.size:
-            read[:] = others
-            read[..., self.columns.places] = own
-            return read
         for i, (place, other) in enumerate(zip(places.tolist(), others.tolist(), strict=True)):
             read[..., i] = other if place == NONE else own[..., place]
         return read
@@ -89,9 +89,7 @@ Rows = np.ndarray | ReducedRows
 
 def first_of(rows: Rows, count: int) -> Rows:
     """Return the first rows; a view of them."""
-    if isinstance(rows, ReducedRows):
-        return ReducedRows(rows.own[:count], rows.columns, rows.others)
-    return rows[:count]
+    return ReducedRows(rows.own[:count], rows.columns, rows.others) if isinstance(rows, ReducedRows) else rows[:count]
 
 
 def joined(parts: Sequence[Rows]) -> Rows:
