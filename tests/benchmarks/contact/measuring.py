@@ -82,6 +82,7 @@ def measure(problem: Problem, chosen: list[Any], budget: float, rounds: int = RO
     Every setting is called once, from loose to tight, until a call takes LONGEST. Then all are called in turn.
     """
     rows, found = [], []
+    problem.errors(problem.reference)  # the reference is solved here: it is in no peer's part of the budget
     begin = used()
     for peer in chosen:
         first = used()
@@ -95,7 +96,7 @@ def measure(problem: Problem, chosen: list[Any], budget: float, rounds: int = RO
             if used() - first > budget * max(PART, 1 / len(chosen)):
                 rows.append(row(problem, peer, integrator, outcome="not measured: the budget was used up"))
                 continue
-            longest, values = (4 * LONGEST, values[::3]) if problem.rows else (LONGEST, values)
+            longest, values = (16 * LONGEST, values[::3]) if problem.rows else (LONGEST, values)
             for one in attempts(problem, peer, integrator, values, longest):
                 if isinstance(one, Measured):
                     found.append(one)
