@@ -157,6 +157,13 @@ def test_bodies_that_err_nothing_do_not_excuse_the_two_that_collide(norm):
 # ---- starts ----------------------------------------------------------------------------------------------------------
 
 
+def test_start_on_the_surface_leaving_it():
+    model = point(lambda d, v, v0: 1e4 * d, scales=(1e-2, 1.0, 100.0, 1.0))
+    run = simulate(model, duration=1.0, initial={"path.travel": "0 m", "path.speed": "1 m/s"}, tolerance=1e-6)
+    assert run.impacts == ()
+    assert run.engine.final["path.travel"] == pytest.approx(1.0, rel=1e-12)
+
+
 def test_a_push_on_a_body_at_rest_is_not_stepped_over():
     """At rest steps grow; K = 9.81 N/m from x = -1 m, pushed by 0.1 N for 1.2 s of 10 s: it swings by 2 P/K sin(w 1.2/2) afterwards."""
     k, push = 9.81, 0.1
