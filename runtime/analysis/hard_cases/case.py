@@ -6,7 +6,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from hertzwerk.runtime.analysis.hard_cases.tried_steps import TRIES
 from hertzwerk.runtime.engine.integration.tableaux import methods
 
 if TYPE_CHECKING:
@@ -21,7 +20,7 @@ MARGIN, EXTRA = 1.5, 20  # factor and addend of the bound on steps over the meas
 
 @dataclass(frozen=True)
 class Source:
-    """Model of a case: a built-in scene, with its variation, or a scene of `derive.hard_scenes`."""
+    """Model of a case: a built-in scene, with its variation, or one of `derive.scenes.hard`."""
 
     scene: str
     hard: bool = False
@@ -76,10 +75,6 @@ class HardCase:
     theory: Mapping[str, int] = field(default_factory=dict)
     failures: Mapping[tuple[str, str], str] = field(default_factory=dict)
     long: bool = False
-
-    def most_tries(self, method: str) -> int:
-        """Return the bound on steps tried (accepted, rejected, retaken)."""
-        return self.theory.get(method) or int(MARGIN * TRIES[self.name][method]) + EXTRA
 
 
 # -- what is known -----------------------------------------------------------------------------------------------------

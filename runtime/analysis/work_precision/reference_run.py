@@ -142,7 +142,7 @@ def states(run: Solution, t: Array) -> Array:
 
 
 def difference(model: EngineModel, scales: Scales, y: Array, reference: Array) -> Array:
-    """Return the error (n,) of states with rates (n, 2 ny), see `scales.error`."""
+    """Return the error (n,) of states with rates (n, 2 ny), see `error_scales.error`."""
     (a, da), (b, db) = (np.split(part, 2, axis=-1) for part in (y, reference))
     return scaling.error(model, scales, a, b, da, db)
 

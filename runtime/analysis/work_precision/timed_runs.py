@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from statistics import median
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,7 +21,6 @@ from hertzwerk.runtime.engine.integration.loop.method_choice import IMPLICIT
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 from hertzwerk.runtime.engine.run.built_engine import prepare
 from hertzwerk.runtime.system.arrays import Array
-from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.analysis.work_precision.reference_run import Problem, Reference
@@ -50,14 +49,9 @@ class RunSpec:
     def __call__(self) -> tuple[float, Solution]:
         """Run once."""
         began = time.process_time()
-        run = self.problem(accuracy=self.accuracy, **self.options)
-        return time.process_time() - began, run
-
-    @property
-    def options(self) -> dict[str, Any]:
-        """Arguments of `simulate` but for the accuracy."""
         limits = {"wall_time": self.wall_time, "max_steps": MAX_STEPS}
-        return {"method": self.method, "compiled": self.compiled, **limits}
+        run = self.problem(accuracy=self.accuracy, method=self.method, compiled=self.compiled, **limits)
+        return time.process_time() - began, run
 
 
 @dataclass
@@ -85,11 +79,6 @@ class TimedRun:
     def time(self) -> float:
         """Median [s]."""
         return median(self.times)
-
-    @cached_property
-    def late(self) -> bool:
-        """Return whether the run took too long."""
-        return self.outcome.name in LATE
 
 
 def ready(problem: Problem, methods: Sequence[str]) -> bool:

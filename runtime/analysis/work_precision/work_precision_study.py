@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.runtime.analysis.work_precision.reference_run import Problem, Reference, reference
-from hertzwerk.runtime.analysis.work_precision.timed_runs import RunSpec, TimedRun, make, ready, repeat
+from hertzwerk.runtime.analysis.work_precision.timed_runs import LATE, RunSpec, TimedRun, make, ready, repeat
 from hertzwerk.runtime.engine.accuracy.horizon import Growth, crossing, growth
 from hertzwerk.runtime.engine.integration.tableaux.methods import EXPLICIT, IN_GRAPH
 from hertzwerk.runtime.system.arrays import Array
@@ -257,7 +257,7 @@ def _series(
     made: list[TimedRun] = []
     for i, accuracy in enumerate(accuracies):
         made.append(make(RunSpec(problem, method, compiled, accuracy, wall_time), held))
-        if made[-1].late:
+        if made[-1].outcome.name in LATE:
             message = f"with {accuracy:.0e} {made[-1].outcome.message}"
             return made, [Row(method, compiled, tighter, NOT_TRIED, message) for tighter in accuracies[i + 1 :]]
     return made, []

@@ -87,7 +87,7 @@ def with_input_values(
 ) -> tuple[AnyModel, list[Fault]]:
     """Return a model with the values of its inputs for runs of a duration, and the faults of those.
 
-    What a model was given before, it keeps. Faults of the duration and of inputs without a value are for `run.request` to find.
+    What a model was given before, it keeps. Faults of the duration and of inputs without a value are for `run_request` to find.
     """
     faults: list[Fault] = []
     if inputs is None or (isinstance(inputs, Mapping) and not inputs):

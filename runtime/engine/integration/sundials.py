@@ -66,7 +66,7 @@ class Reference:
     layouts: Layouts
     window: Callable[[float], tuple[Any, Any]]
     ends: Any
-    resolve_slips: Any  # see `slips.resolve_slips`; None without set-valued friction
+    resolve_slips: Any  # see `stick_and_slip.resolve_slips`; None without set-valued friction
     tally: Tally
 
 
@@ -337,7 +337,7 @@ class _Run:
             self.resolve_slip(j, ran_out=False)
 
     def happen_at_the_end(self) -> None:
-        """Let the events of effects happen that are due, as `jumps.due` has them in the other methods."""
+        """Let the events of effects happen that are due, as `effect_events.due` has them in the other methods."""
         end = self.at(self.t, self.y)
         levels = np.where(end["event_rate"] < 0, DUE, 0.0)
         if np.any(end["event"] <= levels):

@@ -388,7 +388,7 @@ def exponent_unit(exponent: float) -> ExponentUnit:
 def force_curve(
     law: str, penetrations: Sequence[float], clearances: Sequence[float], exponent: float | None = None
 ) -> ForceCurve:
-    """Return forces of a stiffness law at penetrations and clearances [m]: `comparison.force_curve`."""
+    """Return forces of a stiffness law at penetrations and clearances [m]: `law_comparison.force_curve`."""
     from hertzwerk.derive.exchange.law_sheets import law_comparison
 
     return law_comparison.force_curve(law, penetrations, clearances, exponent)

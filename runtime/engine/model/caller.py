@@ -108,20 +108,11 @@ class Rowwise:
             if self._constant is not None:
                 inputs.pop(self._constant)[:] = constant
             while count - first >= rows:
-                self._block(caller, inputs, tables, results, slice(first, first + rows))
+                block = slice(first, first + rows)
+                for place, table in zip(inputs, tables, strict=True):
+                    place[:] = table[block]
+                for table, values in zip(results, caller(), strict=True):
+                    table[block] = values
                 first += rows
             callers.give_back(caller)
         return results
-
-    @staticmethod
-    def _block(
-        caller: Caller,
-        inputs: Sequence[np.ndarray],
-        tables: Sequence[np.ndarray],
-        results: Sequence[np.ndarray],
-        rows: slice,
-    ) -> None:
-        for place, table in zip(inputs, tables, strict=True):
-            place[:] = table[rows]
-        for table, values in zip(results, caller(), strict=True):
-            table[rows] = values

@@ -63,11 +63,6 @@ def unit_at(unit: str, parameters: Mapping[str, tuple[float, str]]) -> str:
     return str(read.at({name: parameters[name][0] for name in read.free_names})) if read.free_names else unit
 
 
-def open_exponents(unit: str) -> tuple[str, ...]:
-    """Return the names in the exponents of a unit text: ("exponent",) of N/m^exponent."""
-    return parse_unit(unit).free_names
-
-
 def ratio(above: str, below: str) -> str:
     """Return the unit text of a derivative, of the units above and below, such as "N/(m/s)"."""
     if not below:

@@ -23,7 +23,7 @@ def compared_histories(model: EngineModel) -> tuple[str, ...]:
 def differences(model: EngineModel, scales: Scales, one: Trace, other: Trace, n: int) -> np.ndarray:
     """Return the differences (n, 1 + m) of two runs at the first n times at which they are compared.
 
-    The first column is the error of one if the other is true, that of its state (`scales.error`) or of an impact that
+    The first column is the error of one if the other is true, that of its state (`error_scales.error`) or of an impact that
     begins until then; the others are those of `compared_histories` in SI, but for the shift in time.
     """
     rows, reference = (trace.compared.history.of(trace.compared.history.rows[:n]) for trace in (one, other))

@@ -22,10 +22,10 @@ from hertzwerk.runtime.engine.integration.step.layout import NOT_FINITE, OUTSIDE
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips_of
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.built_engine import Engine, engine_for, provider_of
+from hertzwerk.runtime.engine.run.energy_balance import Balance
 from hertzwerk.runtime.engine.run.recorder import BLOCK, ENDS, Grid, Recorder, Sampled, Steps
 from hertzwerk.runtime.engine.run.run_request import Limits, RunRequest, Settings
 from hertzwerk.runtime.engine.solution import error_scales as scaling
-from hertzwerk.runtime.engine.solution.energy_balance import Balance
 from hertzwerk.runtime.engine.solution.error_scales import Scales
 from hertzwerk.runtime.engine.solution.history import History
 from hertzwerk.runtime.engine.solution.outcome import FRICTION_LOCKS, Outcome, outcome

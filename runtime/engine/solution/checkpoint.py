@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import linecache
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -13,6 +12,7 @@ import numpy as np
 from hertzwerk.runtime.engine.integration.loop.chunk import Ending, Resume
 from hertzwerk.runtime.engine.integration.step.layout import layouts
 from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.generated_text import text_of
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.signal import digest_of
@@ -63,5 +63,4 @@ def digest(model: EngineModel) -> str:
 
 @per_model
 def _text_digest(model: EngineModel) -> str:
-    file = getattr(model.module, "__file__", None) or ""
-    return hashlib.sha256("".join(linecache.getlines(file)).encode()).hexdigest()[:32]
+    return hashlib.sha256(text_of(model.module).encode()).hexdigest()[:32]

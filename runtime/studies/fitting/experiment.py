@@ -107,7 +107,8 @@ class Observed:
             times = self.at + offset
             inside = (times >= run.engine.t_start) & (times <= run.engine.t_end)
             for history, rows in self._by_times(inside):
-                predicted[rows] = run.at(np.sort(times[rows]))[history][_ranks(times[rows])]
+                rows = rows[np.argsort(times[rows], kind="stable")]
+                predicted[rows] = run.at(times[rows])[history]
             return predicted
         for k, channel in enumerate(self.channels):
             rows = self.column == k
@@ -143,10 +144,6 @@ class Observed:
         return [
             (channel.history, np.flatnonzero(inside & (self.column == k))) for k, channel in enumerate(self.channels)
         ]
-
-
-def _ranks(times: Array) -> NDArray[np.intp]:
-    return np.argsort(np.argsort(times, kind="stable"), kind="stable")
 
 
 def _numbered(values: Array, numbers: Array, otherwise: float) -> Array:

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.derive.common.markup import heading, joined, table, tag
+from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.runtime.engine.model.free_quantities import Free
-from hertzwerk.runtime.engine.model.si_values import open_exponents
 from hertzwerk.runtime.simulation import Solution
 from hertzwerk.runtime.studies.comparison.comparison_request import Channel
 from hertzwerk.runtime.studies.comparison.residuals import Residual
@@ -54,7 +54,7 @@ class FittedValue(Free):
         unit = "" if self.unit == "1" else f" {self.unit}"
         digits = _digits(self.value, self.interval)
         low, high = _ends(self.interval, digits)
-        other = " and ".join(open_exponents(self.unit))
+        other = " and ".join(parse_unit(self.unit).free_names)
         return f"{self.value:.{digits}g}{unit} ({low} to {high}){f', its unit depends on {other}' if other else ''}"
 
 

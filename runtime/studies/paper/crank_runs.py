@@ -33,7 +33,7 @@ def crank_with(law: str | None) -> EngineModel:
 
 
 def measure(model: EngineModel, values: Mapping[str, Value], duration: str = TURN) -> Measurement:
-    """Measure OUTPUTS by runs at several tolerances; see `effects.measuring`. Raises InputError."""
+    """Measure OUTPUTS by runs at several tolerances; see `output_errors`. Raises InputError."""
     bench = Bench(duration, TOLERANCE, "auto", values)
     first = bench.simulate(Case(model), max_steps=1)
     return bench.measure(Case(model), chosen(first, tuple(OUTPUTS))[0])

@@ -27,7 +27,7 @@ class BallFriction(Effect):
     """Friction moment of a spherical joint, against its angular velocity w: radius times the law's force.
 
     The force is that of the sliding velocity radius |w| under the magnitude of the joint's reaction, which is solved with
-    the accelerations (`motion.carried`). The pressure is taken as met at the ball's equator about w.
+    the accelerations (`reaction_loads`). The pressure is taken as met at the ball's equator about w.
     """
 
     name: str

@@ -39,7 +39,7 @@ class JointFriction(JointEffect):
     It slides with the speed of a slide, or `radius` (of the journal) times that of a turn. Without a normal force the
     joint's own reaction presses: of a turn the force across its axis; of a prismatic guide the forces on two pads,
     `length` apart about the child's point, that carry force and moment across its axis. The reaction depends on the
-    accelerations, and these on the friction: they are solved together (`motion.carried`).
+    accelerations, and these on the friction: they are solved together (`reaction_loads`).
 
     A set-valued law slides under a coefficient with a sign, and sticks by a force that keeps the joint at rest: both are
     given to the equations of motion by the run.

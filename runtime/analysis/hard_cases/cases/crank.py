@@ -8,7 +8,6 @@ from hertzwerk.runtime.analysis.hard_cases.case import REFERENCED, HardCase, Kno
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 SMOOTH, ROUGH = Source("slider_crank_frictionless"), Source("slider_crank")
 WORN, PRESSED = 9.853558871621333878e-4, 0.2440277658189568107  # m, N
@@ -29,19 +28,9 @@ def _clearance(name: str, hard: str, clearance: str, rpm: float, duration: float
     return HardCase(name, "slider-crank", hard, SMOOTH, duration, 1e-9, parameters=parameters, known=known)
 
 
-def _near_ideal(clearance: float) -> Known:
-    return final(
-        "guide.travel",
-        0.17,
-        1.2 * clearance,
-        "whole revolutions: the ideal mechanism, within clearance and penetration",
-    )
-
-
-def _archard(run: EngineSolution) -> float:
-    """Volume lost over the force integrated over the sliding distance [1/Pa]."""
-    return float(run["wear.volume"][-1] / run["wear.load_path"][-1])
-
+NEAR_IDEAL = final(
+    "guide.travel", 0.17, 1.2 * 5e-4, "whole revolutions: the ideal mechanism, within clearance and penetration"
+)
 
 CASES = (
     HardCase(
@@ -87,7 +76,7 @@ CASES = (
         duration=0.024,
         tolerance=1e-6,
         parameters={"friction_speed": "1e-7 m/s"},
-        known=(_near_ideal(5e-4),),
+        known=(NEAR_IDEAL,),
         failures={
             (
                 "dopri5",
@@ -106,7 +95,7 @@ CASES = (
         known=(
             Known(
                 "volume over force and sliding",
-                _archard,
+                lambda run: float(run["wear.volume"][-1] / run["wear.load_path"][-1]),
                 2e-9,
                 1e-20,
                 "1/Pa",
@@ -133,7 +122,7 @@ CASES = (
         source=SMOOTH,
         duration=12.0,
         tolerance=1e-6,
-        known=(_near_ideal(5e-4),),
+        known=(NEAR_IDEAL,),
         failures={
             (
                 "dopri5",

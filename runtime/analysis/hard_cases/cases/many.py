@@ -46,12 +46,6 @@ FIFTY = {
 }
 
 
-def _passed_on(count: int) -> tuple[Known, ...]:
-    """Expect equal spheres to pass on their speed by elastic impacts, one after another."""
-    source = "equal masses exchange their speeds"
-    return tuple(final(f"path_{i}.speed", float(i == count), PART, source) for i in (1, 2, count - 1, count))
-
-
 def _conserved(count: int) -> Known:
     def momentum(run: object) -> float:
         return float(np.sum([run[f"path_{i}.speed"][-1] for i in range(1, count + 1)]))  # type: ignore[index]
@@ -102,6 +96,7 @@ def _nearly_both_sides() -> HardCase:
 
 
 def _row(count: int, *, long: bool) -> HardCase:
+    speeds = ((i, float(i == count)) for i in (1, 2, count - 1, count))
     return HardCase(
         name=f"row_of_{count}",
         theme="many pairs",
@@ -110,7 +105,11 @@ def _row(count: int, *, long: bool) -> HardCase:
         duration=0.004 * count,
         tolerance=TOLERANCE,
         methods=METHODS if long else REFERENCED,
-        known=(contacts(count - 1, "each pair meets once"), *_passed_on(count), _conserved(count)),
+        known=(
+            contacts(count - 1, "each pair meets once"),
+            *(final(f"path_{i}.speed", speed, PART, "equal masses exchange their speeds") for i, speed in speeds),
+            _conserved(count),
+        ),
         long=long,
     )
 

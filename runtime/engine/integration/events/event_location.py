@@ -372,7 +372,9 @@ def locate() -> Any:
     index = ca.DM(range(PARTS)).T
     crosses = above[:, :-1] * (1 - above[:, 1:])
     dips = above[:, :-1] * above[:, 1:] * falls[:, :-1] * (1 - falls[:, 1:])
-    crossing, dip = (_row_minimum(ca.if_else(kind, index, PARTS)) for kind in (crosses, dips))  # PARTS: none
+    crossing, dip = (
+        reduce(ca.fmin, ca.horzsplit(ca.if_else(kind, index, PARTS))) for kind in (crosses, dips)
+    )  # PARTS: none
 
     bottom = (dip + 0.5) / PARTS
     for _ in range(3):
@@ -449,7 +451,3 @@ def _raise(b: list[Any]) -> list[Any]:
 
 def _horner(a: list[Any], x: Any) -> Any:
     return reduce(lambda total, coefficient: total * x + coefficient, reversed(a))
-
-
-def _row_minimum(matrix: Any) -> Any:
-    return reduce(ca.fmin, ca.horzsplit(matrix))

@@ -15,7 +15,7 @@ from typing import Any
 
 import casadi as ca
 
-MEANS = 7  # arithmetic-geometric means, see `derive.effects.loads.patch`
+MEANS = 7  # arithmetic-geometric means, see `derive.declare.effects.tribology.patch_friction`
 ALIKE = 1e-24  # of 1: difference of the squared speeds of sliding and of the rim that counts as none
 TURNS = 6  # iterations of Newton's method from the normal of an ellipsoid
 SPINNING = 2 / 3  # of the largest force: the largest moment over the radius

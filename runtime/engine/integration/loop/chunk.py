@@ -114,7 +114,7 @@ class Ending:
 class CallerProvider(Protocol):
     """Provider of a run's callers, which it may change between two chunks.
 
-    `automatic.AutomaticCallers` is one.
+    `automatic_compilation.AutomaticCallers` is one.
     """
 
     callers: Callers

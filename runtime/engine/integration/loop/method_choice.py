@@ -21,7 +21,7 @@ from typing import Any
 import casadi as ca
 
 from hertzwerk.runtime.engine.integration.loop.turning_slip import PASSING
-from hertzwerk.runtime.engine.integration.step.contact_classes import Contacts
+from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE, Contacts
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.implicit_step import fraction_to_rest, linearised, sliding
 from hertzwerk.runtime.engine.integration.step.layout import CALM, SUSPECT, layouts
@@ -150,7 +150,7 @@ def fastest(model: EngineModel) -> Any:
     arguments, (old, run) = layouts(model).symbols("state controls")
     at = (old["mode"], old["m"], run["c"])
     J, _ = linearised(model)(old["t"], old["y"], *at)
-    v, *_ = sliding(model)(old["t"], old["y"], old["dy"], *at)
+    v, *_ = sliding(model, BY_MODE)(old["t"], old["y"], old["dy"], *at)
     results = ca.densify(ca.vertcat(old["h"] * _rate(J, model.nq, model.nu), v))
     return ca.Function("fastest", arguments, [ca.cse(results)], ["state", "controls"], ["found"])
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -37,13 +38,16 @@ class NearRows:
         busy = [pairs[np.any(mode[rows][:, listed] != FLIGHT, axis=0)] for rows, listed, pairs in self._lists]
         return sorted({int(pair) for pairs in busy for pair in pairs})
 
+    def _listed(self, pair: int) -> Iterator[tuple[slice, int]]:
+        """Yield the rows at which a pair is listed, with its place there."""
+        return ((rows, of[pair]) for (rows, *_), of in zip(self._lists, self._places, strict=True) if pair in of)
+
     def column(self, part: str, pair: int) -> np.ndarray:
         """Return a part of a pair (n,)."""
         start = self._layout.places[part]
         column = np.full(len(self._rows), NOT_LISTED[part])
-        for (rows, *_), of in zip(self._lists, self._places, strict=True):
-            if pair in of:
-                column[rows] = self._rows[rows, start + of[pair]]
+        for rows, place in self._listed(pair):
+            column[rows] = self._rows[rows, start + place]
         return column
 
     def latch(self, row: int, pair: int) -> np.ndarray:
@@ -53,9 +57,8 @@ class NearRows:
         t = self._rows[:, self._layout.places["t"]]
         for left in self._departures.get(pair, ()):
             latch[t > left.t] = left.latches[i]
-        for (rows, *_), of in zip(self._lists, self._places, strict=True):
-            if pair in of:
-                latch[rows] = self._rows[rows, start + of[pair]]
+        for rows, place in self._listed(pair):
+            latch[rows] = self._rows[rows, start + place]
         return latch
 
     def part(self, part: str) -> np.ndarray:
@@ -96,9 +99,8 @@ class NearRows:
             return np.array(self._rows[:, start + model.others.index(row)])
         pair, i = next((pair, of.index(row)) for pair, of in enumerate(model.memory_rows) if row in of)
         memory = np.zeros(len(self._rows))
-        for (rows, *_), of in zip(self._lists, self._places, strict=True):
-            if pair in of:
-                memory[rows] = self._rows[rows, start + model.rows[of[pair]][i]]
+        for rows, place in self._listed(pair):
+            memory[rows] = self._rows[rows, start + model.rows[place][i]]
         t = self._rows[:, self._layout.places["t"]]
         for left in self._departures.get(pair, ()):
             memory[t > left.t] += left.memory[i]

@@ -94,7 +94,7 @@ class NearModel(WatchedModel):
                 LATCHES=tuple((f"near_{i}.{name}", "", i) for name in latches[0] for i in range(len(places))),
                 PAIRS=tuple((f"near_{i}", "") for i in range(len(places))),
                 CONSTANTS=(*module.CONSTANTS, *[("near", "1")] * sum(self.lists)),
-                RELEASES=tuple(_release(whole, family.pairs[0]) for family in places),
+                RELEASES=tuple(module.RELEASES[family.pairs[0]] for family in places),
                 DISSIPATED=tuple(
                     of[rows[family.pairs[0]].index(module.DISSIPATED[family.pairs[0]])]
                     for family, of in zip(places, self.rows, strict=True)
@@ -191,10 +191,6 @@ class NearModel(WatchedModel):
 
 
 FORESEEN = 0.5  # of half the skin: the way to the end of a step foreseen; within it a curve may go further
-
-
-def _release(model: EngineModel, pair: int) -> str:
-    return str(model.module.RELEASES[pair])
 
 
 @per_model

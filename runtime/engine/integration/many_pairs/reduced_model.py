@@ -39,9 +39,6 @@ class ReducedModel(WatchedModel):
         number = {pair: i for i, pair in enumerate(pairs)}
         place = {row: i for i, row in enumerate(self.rows)}
 
-        def of_pairs(function: str) -> Any:
-            return lambda *arguments: tuple(ca.SX(x)[[*pairs]] for x in _several(getattr(module, function)(*arguments)))
-
         def contact(function: str) -> Any:
             def reduced(t: Any, q: Any, u: Any, z: Any, m: Any, c: Any) -> Any:
                 memory, latches = ca.SX.zeros(whole.nz), ca.SX.ones(whole.nm)
@@ -64,8 +61,8 @@ class ReducedModel(WatchedModel):
             "DISSIPATED": tuple(place[module.DISSIPATED[pair]] for pair in pairs) if module.DISSIPATED else (),
             "SPEED_LIMITED": tuple(pair for pair in module.SPEED_LIMITED if whole.pairs.index(pair) in number),
             "FAMILIES": (),
-            "gaps": of_pairs("gaps"),
-            "gap_accelerations": lambda *arguments: of_pairs("gap_accelerations")(*arguments)[0],
+            "gaps": lambda *arguments: tuple(ca.SX(x)[[*pairs]] for x in module.gaps(*arguments)),
+            "gap_accelerations": lambda *arguments: ca.SX(module.gap_accelerations(*arguments))[[*pairs]],
             **{f"contact_{whole.pairs[pair]}": contact(f"contact_{whole.pairs[pair]}") for pair in pairs},
         }
         if whole.has_ledger:
@@ -111,7 +108,3 @@ def reduced_model(model: EngineModel, pairs: tuple[int, ...]) -> ReducedModel:
 def lowest_gaps(model: EngineModel) -> Callers:
     """Return the function (t, q, u, c at lower bounds, at upper) -> lower bounds of the gaps (k)."""
     return Callers(interval_extension(model.function("gaps")))
-
-
-def _several(results: Any) -> tuple[Any, ...]:
-    return results if isinstance(results, tuple) else (results,)

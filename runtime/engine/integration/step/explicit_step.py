@@ -298,7 +298,7 @@ def explicit_step(
     """Take one step of h [s] from a state under its modes and latches; return the parts of a trial.
 
     details: receives the last stage (an estimate of the step's end), its slope and the error weights (for
-    `choose.suspicion`).
+    `method_choice.suspicion`).
     """
     conditions = (start["mode"], start["m"], run["c"])
     rates, ends = right.under(start["mode"])
@@ -316,7 +316,8 @@ def explicit_step(
     if details is not None:
         details |= {"stage": stage, "slope": slopes[-1], "weights": weights}
     slopes.append(end["dy"])
-    errors = (right.tangential_error(t1, y1, _weighted(estimate.weights, slopes), run) for estimate in table.errors)
+    terms = ([w * slope for w, slope in zip(of.weights, slopes, strict=False) if w] for of in table.errors)
+    errors = (right.tangential_error(t1, y1, _sum(each), run) for each in terms)
     error = _norm([error * weights for error in errors], h, of_each=end["margin"].numel() > 0)
     return {"t": t1, "y": y1, **end, "error": right.error(error, is_closed)}
 
@@ -366,10 +367,6 @@ def _combined(y: Any, h: Any, weights: tuple[float, ...], slopes: list[Any]) -> 
     if older:
         y = y + h * _sum([weights[i] * slopes[i] for i in older])
     return y + h * weights[last] * slopes[last]
-
-
-def _weighted(weights: tuple[float, ...], slopes: list[Any]) -> Any:
-    return _sum([weight * slope for weight, slope in zip(weights, slopes, strict=False) if weight])
 
 
 def _sum(terms: list[Any]) -> Any:

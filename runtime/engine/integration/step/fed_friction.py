@@ -3,8 +3,8 @@
 That is friction of joints under their own reaction, and of contacts beside loads by reactions. What sticks holds with forces lambda for
 which its sliding accelerations vanish, D^T a(f + D lambda) + drift = 0, found by Newton's method, for loads by reactions make the
 accelerations a depend on the forces f as magnitudes do. A joint that slides has its coefficient of friction, with the sign of slip, among
-the forces, and its reaction is solved with the accelerations (`derive.motion.carried`). That there is one solution is certified in every
-state: `friction.uniqueness`.
+the forces, and its reaction is solved with the accelerations (`derive.equations.motion.reaction_loads`). That there is one solution is
+certified in every state: `friction.uniqueness`.
 """
 
 from __future__ import annotations
@@ -134,19 +134,14 @@ def _loads(model: EngineModel, t: Any, q: Any, u: Any, reactions: Any, c: Any) -
     return ca.sparsify(ca.substitute(slopes, symbol, reactions))
 
 
-def _others(model: EngineModel, t: Any, q: Any, u: Any, reactions: Any, c: Any) -> Any:
-    """Loads (nf, K) per magnitude but for those of the frictions that slide in joints."""
-    still = ca.SX(reactions)
-    still[[place for *_, place in model.rubbing]] = 0
-    return _loads(model, t, q, u, still, c)
-
-
 def certificate(model: EngineModel, grip: Grips, t: Any, q: Any, u: Any, reactions: Any, c: Any) -> Any:
     """Return the pivots (n + K) of the certificate that there is one solution: positive where there is."""
     n, count = len(grip.places), len(model.carried)
     f, by = model.symbols("f reactions")
     a, parts = model.function("unloaded").call([t, q, u, f, c])
-    columns = ca.horzcat(grip.along, _others(model, t, q, u, reactions, c))
+    others = ca.SX(reactions)  # but those of the frictions that slide in joints
+    others[[place for *_, place in model.rubbing]] = 0
+    columns = ca.horzcat(grip.along, _loads(model, t, q, u, others, c))
     of_a = ca.substitute(ca.jtimes(a, f, columns), f, ca.SX.zeros(f.numel()))
     of_parts = ca.substitute(ca.jtimes(parts, f, columns), f, ca.SX.zeros(f.numel()))
     sizes = ca.vertcat(

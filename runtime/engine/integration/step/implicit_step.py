@@ -67,7 +67,7 @@ def uses_calls(model: EngineModel) -> bool:
 def linearised(model: EngineModel, contacts: Contacts = BY_MODE) -> Any:
     """Return the function (t, y, mode, m, c) -> derivatives J (ny, ny) and dt (ny) of the right-hand side.
 
-    The right-hand side is `explicit.flow` of the same contacts. The chain rule is applied contact by contact, so that
+    The right-hand side is `explicit_step.flow` of the same contacts. The chain rule is applied contact by contact, so that
     singular derivatives stay where they arise: at zero penetration, or without contact, the derivative of a root in a
     contact's force is nan; the force and its true derivative vanish there.
     """
@@ -280,16 +280,12 @@ def _linearised_fed(model: EngineModel, grip: Grips, f: Any, df: Any, dz: Any, a
     return ca.Function("linearised", arguments, results, ARGUMENTS.split(), ["J", "dt"])
 
 
-def sliding(model: EngineModel, contacts: Contacts = BY_MODE) -> Any:
+@per_model
+def sliding(model: EngineModel, contacts: Contacts) -> Any:
     """Return the function (t, y, dy, mode, m, c) -> sliding velocities v (n) [m/s], dv/dt, dv/dy.
 
     0 for pairs not in contact; pairs whose sliding ends with an event (set-valued friction) are left out.
     """
-    return _sliding(model, contacts)
-
-
-@per_model
-def _sliding(model: EngineModel, contacts: Contacts) -> Any:
     t, y, mode, m, c = model.symbols(ARGUMENTS)
     dy = ca.SX.sym("dy", y.numel())
     q, u, z = model.parts(y)

@@ -154,7 +154,7 @@ def layouts(model: EngineModel) -> Layouts:
     gap_acceleration and force, force_rate of each pair, friction, margin, margin_rate and grip_force of those with
     set-valued friction (see `set_valued_friction`) [SI]; event, event_rate and event_rounding of each event of an effect (see
     `effect_events`); kinetic and potential energy [J] where a ledger is booked; ahead [s], the time to a singular position,
-    where loops are closed (see `singular`); pieces of the inputs, and stop [s], where they end;
+    where loops are closed (see `singular_positions`); pieces of the inputs, and stop [s], where they end;
     h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class (see `contact_classes`), status;
     method, pressure, wary, stiffness (see `method_choice`); accepted, fresh_contact (a contact has just begun),
     after_rejection; then counters.

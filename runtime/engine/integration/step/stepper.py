@@ -31,7 +31,7 @@ def stages_inlined(model: EngineModel, table: Table, contacts: Contacts) -> bool
 def stepper(model: EngineModel, table: Table, contacts: Contacts, details: dict[str, Any] | None = None) -> Take:
     """Return (start, run, h) -> trial: one step of h [s] with the forces of these contacts.
 
-    `details` as in `explicit.explicit_step`.
+    `details` as in `explicit_step.explicit_step`.
     """
     right, within = explicit_step.flow(model, contacts), relax_redundant(model)
     if isinstance(table, RungeKutta):
