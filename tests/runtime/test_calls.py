@@ -259,6 +259,7 @@ table.load(3)  ->  folder: found 3
 compare(run, run)  ->  data: found a run
 compare(run, 3)  ->  data: found 3
 compare(run, "no_such.csv")  ->  no_such.csv
+compare(run, {"t [s]": T})  ->  no column of the data
 compare(run, wave, map={"a": "vertical.travel"})  ->  a
 compare(run, wave, map={"vertical.travel": "b"})  ->  b
 compare(run, wave, order=0)  ->  order: found 0

@@ -49,7 +49,7 @@ from hertzwerk.derive.exchange.sympy_models.motion_by_expressions import (
     Placed,
 )
 from hertzwerk.derive.exchange.sympy_models.to_sympy import TIME
-from hertzwerk.derive.exchange.sympy_models.translation import Naming, name_of
+from hertzwerk.derive.exchange.sympy_models.translation import METRE, SECOND, Naming, name_of
 from hertzwerk.derive.exchange.sympy_models.unit_audit import unit_faults
 from hertzwerk.derive.expressions.algebra.vectors import IDENTITY, ZERO
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
@@ -149,13 +149,16 @@ class Model:
         name = item.name if isinstance(item, SymPyPoint | ReferenceFrame) else item
         raise InputError(f"model {self.name}", [unknown(kind, name, known)])
 
-    def _must_have_place(self, point: Any) -> None:
+    def _position(self, point: Any) -> Any:
+        """Position of a point from the origin, None where it has none."""
         try:
-            if self._reading.origin is not None:
-                point.pos_from(self._reading.origin)
-                return
+            return self._reading.origin and point.pos_from(self._reading.origin)
         except ValueError:
-            pass
+            return None
+
+    def _must_have_place(self, point: Any) -> None:
+        if self._position(point) is not None:
+            return
         actual = (
             "no position from the origin" if self._reading.origin is not None else "no position, for there is no origin"
         )
@@ -186,10 +189,10 @@ class Model:
             matrix = reading.frame.dcm(frame)
             axes = tuple(tuple(of(matrix[i, k]) for k in range(3)) for i in range(3))
             turning = self._linear_vector(frame.ang_vel_in(reading.frame))
-        try:
-            position = point.pos_from(reading.origin).to_matrix(reading.frame) if reading.origin is not None else ZERO
-        except ValueError:
-            position = ZERO  # it has mass and velocity, and no place
+        place = self._position(point)
+        position = (
+            ZERO if place is None else place.to_matrix(reading.frame)
+        )  # it may have mass and velocity, and no place
         x, y, z = (of(sp.sympify(value)) for value in position)
         return Placed(axes, (x, y, z), self._linear_vector(reading.velocity(point)), turning)
 
@@ -269,10 +272,9 @@ class Model:
         return tuple(conditions)
 
     def _condition(self, name: str, dimension: Dimension, value: Any, rate: Any) -> Condition:
-        second, metre = Dimension.from_unit("s"), Dimension.from_unit("m")
-        length = dimension if value is not None else dimension * second
+        length = dimension if value is not None else dimension * SECOND
         power = 0 if length.every else length.L
-        if length not in (metre**power, Dimension.from_unit("1")) and not length.every:
+        if length not in (METRE**power, Dimension.from_unit("1")) and not length.every:
             unit = "a length, an angle, or a power of a length" + ("" if value is not None else ", a second")
             raise InputError(
                 f"model {self.name}", [Fault(name, f"{rate if value is None else value} [{dimension}]", unit)]
@@ -288,9 +290,7 @@ class Model:
     @property
     def _size(self) -> Any:
         """A length of the model, by which constraints are scaled."""
-        lengths = [
-            p for p in self.parameters.values() if Dimension.from_unit(p.unit) == Dimension.from_unit("m") and p.default
-        ]
+        lengths = [p for p in self.parameters.values() if Dimension.from_unit(p.unit) == METRE and p.default]
         return lengths[0] if lengths else sp.S.One
 
     def _independent(self) -> list[Any]:

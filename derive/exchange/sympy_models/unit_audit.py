@@ -14,10 +14,10 @@ from sympy.physics.mechanics import Particle, ReferenceFrame
 
 from hertzwerk.derive.common.faults import Fault
 from hertzwerk.derive.exchange.sympy_models.model_equations import Reading, connected, frames_of, mass_centre, points_of
+from hertzwerk.derive.exchange.sympy_models.translation import METRE, SECOND, TURNING
 from hertzwerk.derive.expressions.dimension.dimension import ONE, Dimension, DimensionError
 from hertzwerk.derive.expressions.dimension.walker import check, dimension_of
 
-METRE, PACE, TURNING = (Dimension.from_unit(unit) for unit in ("m", "m/s", "rad/s"))
 KILOGRAM, INERTIA, FORCE, MOMENT, ENERGY, POWER = (
     Dimension.from_unit(unit) for unit in ("kg", "kg m^2", "N", "N m", "J", "W")
 )
@@ -85,14 +85,14 @@ def _written(reading: Reading, table: Mapping[Any, Dimension]) -> Iterator[Row]:
     if reading.lagrangian is not None:
         yield "Lagrangian", reading.lagrangian, ENERGY
     for q, rate in reading.rates.items():
-        yield f"kinematical equation of {q}", rate, table[q] / Dimension.from_unit("s")
+        yield f"kinematical equation of {q}", rate, table[q] / SECOND
 
 
 def _moving(reading: Reading) -> Iterator[Row]:
     """Velocities, which follow from the positions or were set."""
     for body in reading.bodies:
         point, frame = mass_centre(body)
-        yield from _components(f"velocity of {point.name}", reading.velocity(point), PACE)
+        yield from _components(f"velocity of {point.name}", reading.velocity(point), METRE / SECOND)
         if frame is not None:
             yield from _components(f"angular velocity of {frame.name}", frame.ang_vel_in(reading.frame), TURNING)
     for number, expression in enumerate(reading.nonholonomic, 1):
@@ -101,10 +101,9 @@ def _moving(reading: Reading) -> Iterator[Row]:
 
 def _built(reading: Reading, table: Mapping[Any, Dimension]) -> Iterator[Row]:
     """Equations of motion."""
-    second = Dimension.from_unit("s")
     for i, u in enumerate(reading.u):
         row = POWER / table[u]
         for j, other in enumerate(reading.u):
-            yield f"mass matrix, {u} and {other}", reading.mass[i, j], row * second / table[other]
+            yield f"mass matrix, {u} and {other}", reading.mass[i, j], row * SECOND / table[other]
         yield f"inertia force of {u}", reading.bias[i], row
         yield f"force of {u}", reading.force[i], row

@@ -113,6 +113,8 @@ def read_channels(
             faults.append(unknown("column", column, measurement.columns))
         elif measurement is not None:
             channels += _channel(measurement, column, history, units[history], noise, faults)
+    if measurement is not None and not pairs:
+        faults.append(Fault("map", f"no column of {measurement.source or 'the data'}", "columns beside histories"))
     faults += [unknown("column", name, pairs) for name in noise if name not in pairs]
     return tuple(channels)
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.solution.averages import Estimate, estimate
 from hertzwerk.runtime.engine.solution.dense_output import NORMS
-from hertzwerk.runtime.studies.comparison.signal_statistics import begins, excursion_level
+from hertzwerk.runtime.studies.comparison.signal_statistics import begins, excursion_level, intervals_of
 from hertzwerk.runtime.system.arrays import Array
 
 ORDERS = {"rms": 2, **NORMS}  # of means of powers
@@ -102,8 +102,8 @@ def series_statistics(
 ) -> SeriesStatistics:
     """Return statistics of samples (n, signals), nan where missing, at times (n,) in intervals [s]."""
     spacing = float(np.median(np.diff(times)))
-    places = ((times - times[0]) / interval * (1 + 1e-12)).astype(np.intp)
-    whole = max(int((times[-1] - times[0] + spacing) / interval * (1 + 1e-9)), 1)
+    places, complete = intervals_of(times, interval)
+    whole = max(complete, 1)
     inside = places < whole
     passed = np.bincount(places[inside], minlength=whole) * spacing
     parts = [moment.parts(samples[inside, moment.signal], places[inside], passed) for moment in moments]

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.solution.averages import CONFIDENCE, estimate
 from hertzwerk.runtime.system.arrays import Array
@@ -64,8 +65,7 @@ def statistics_of(times: Array, measured: Array, run: Array, unit: str, interval
     An excursion begins where the signal is farther from the measured median than 95 % of the measured samples are,
     and ends below half of that: impacts, as the instrument shows them.
     """
-    places = ((times - times[0]) / interval * (1 + 1e-12)).astype(int)
-    whole = int((times[-1] - times[0] + float(np.median(np.diff(times)))) / interval * (1 + 1e-9))
+    places, whole = intervals_of(times, interval)
     inside = places < whole if whole else np.ones(len(times), dtype=bool)
     middle, level = excursion_level(measured[inside])
     statistics = [
@@ -75,6 +75,12 @@ def statistics_of(times: Array, measured: Array, run: Array, unit: str, interval
     return tuple(
         Statistic(name, units.get(name, unit), value, statistics[1][name]) for name, value in statistics[0].items()
     )
+
+
+def intervals_of(times: Array, interval: float) -> tuple[NDArray[np.intp], int]:
+    """Return the intervals (n,) that times (n,) lie in, and how many are whole; all in [s]."""
+    lasts = float(times[-1] - times[0] + np.median(np.diff(times)))
+    return ((times - times[0]) / interval * (1 + 1e-12)).astype(np.intp), int(lasts / interval * (1 + 1e-9))
 
 
 def excursion_level(measured: Array) -> tuple[float, float]:
@@ -91,8 +97,7 @@ def _statistics(times: Array, x: Array, places: Array, middle: float, level: flo
         mean = estimate(np.bincount(places, values, len(counts))[present], weights[present])
         return mean.mean, mean.half_width, mean.reason
 
-    mean, half, reason = mean_of(x)
-    yield "mean", _around(mean, half, reason)
+    yield "mean", _around(*mean_of(x))
     square, half, reason = mean_of(x * x)
     low, high = (None, None) if half is None else (math.sqrt(max(square - half, 0.0)), math.sqrt(square + half))
     yield "rms", Estimated(math.sqrt(square), low, high, reason)
@@ -101,9 +106,8 @@ def _statistics(times: Array, x: Array, places: Array, middle: float, level: flo
         _, half, reason = mean_of((x <= value).astype(float))
         low, high = (None, None) if half is None else map(float, np.quantile(x, np.clip((q - half, q + half), 0, 1)))
         yield f"{q:.0%} quantile", Estimated(value, low, high, reason)
-    spacing = float(np.median(np.diff(times)))
-    rate, half, reason = mean_of(begins(np.abs(x - middle), level), counts * spacing)
-    yield "excursions", _around(rate, half, reason)
+    passed = counts * float(np.median(np.diff(times)))
+    yield "excursions", _around(*mean_of(begins(np.abs(x - middle), level), passed))
 
 
 def _around(value: float, half: float | None, reason: str) -> Estimated:

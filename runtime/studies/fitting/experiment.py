@@ -233,8 +233,6 @@ def _observed(
         sizes = {name: size for name, size in sizes.items() if name in table.columns}
     wrong: list[Fault] = []
     channels = read_channels(units, table, mapped, sizes, wrong) if table is not None else ()
-    if table is not None and not channels and not wrong:
-        wrong.append(Fault("map", f"no column of {table.source or 'the data'}", "columns beside histories"))
     seconds = _duration(model, table, duration, latest, parameters, wrong)
     faults += [Fault(f"{where}, {f.where}" if where else f.where, f.found, f.expected, f.remedy) for f in wrong]
     faults += model.check({k: v for k, v in parameters.items() if k not in free})[1]

@@ -101,12 +101,12 @@ class Quantity:
     ],
 )
 def test_quantities_are_values_with_units(stiffness, text):
-    given = {"stiffness": stiffness, "drop_height": 40 * UNITS.cm, "restitution": 0.5 * UNITS.dimensionless}
+    given = {"stiffness": stiffness, "drop_height": 4 * UNITS.cm, "restitution": 0.5 * UNITS.dimensionless}
     run = simulate(BALL, duration=100 * UNITS.ms, tolerance=1e-6, parameters=given)
-    plain = {"stiffness": text, "drop_height": "40 cm", "restitution": 0.5}
+    plain = {"stiffness": text, "drop_height": "4 cm", "restitution": 0.5}
     other = simulate(BALL, **SHORT, parameters=plain)
     assert run.engine.t_end == 0.1
-    assert run.engine.final == pytest.approx(other.engine.final, rel=1e-14)
+    assert run.impacts and run.engine.final == pytest.approx(other.engine.final, rel=1e-12)
     with pytest.raises(InputError, match=r"drop_height: found .*which is kg"):
         simulate(BALL, **SHORT, parameters={"drop_height": 1 * UNITS.kg})
     table = sweep(BALL, {"drop_height": [0.4 * UNITS.m, 500 * UNITS.mm]}, **SHORT, workers=1)
