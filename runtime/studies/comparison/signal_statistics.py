@@ -89,7 +89,9 @@ def excursion_level(measured: Array) -> tuple[float, float]:
     return middle, float(np.quantile(np.abs(measured - middle), LEVEL))
 
 
-def _statistics(times: Array, x: Array, places: Array, middle: float, level: float) -> Iterator[tuple[str, Estimated]]:
+def _statistics(
+    times: Array, x: Array, places: NDArray[np.intp], middle: float, level: float
+) -> Iterator[tuple[str, Estimated]]:
     counts = np.bincount(places).astype(float)
     present = counts > 0
 
