@@ -5,8 +5,8 @@ Effects:
     wall: power x flores
     oil: sphere_film film, none while it opens, at wall
     energy_ledger: work put in, energy dissipated per effect
-Units: 28 assignments and 82 outputs checked, all consistent
-Operations: flight 41 (equations of motion and gaps); in contact also contact_wall 16
+Units: 30 assignments and 89 outputs checked, all consistent
+Operations: flight 40 (equations of motion and gaps); in contact also contact_wall 16
 """
 
 import casadi as ca
@@ -15,7 +15,7 @@ NAME = "ball_on_oil"
 SOURCE = "derive/scenes/ball_on_oil.py"
 SUMMARY = "ball through an oil film onto a plane"
 FORMAT = "hertzwerk module 1"
-DIGEST = "4ea26c0ac180e3a59a07de193c976ebc"
+DIGEST = "b96a62bbef6e52dfdb3aff92a34812bd"
 
 EFFECTS = (
     ("wall", "contact", "power x flores"), ("oil", "lubrication", "sphere_film film, none while it opens, at wall"),
@@ -46,7 +46,7 @@ LIMITS = (
     ("speed", "defined", 0, None, True, False, "scales, speed"),
 )
 
-COORDINATES = (("path.travel", "m"), ("oil.seams", "1"))
+COORDINATES = (("path.travel", "m"), ("oil.seams", "1"), ("oil.ruptured", "1"))
 
 SPEEDS = (("path.speed", "m/s"),)
 
@@ -56,7 +56,7 @@ LATCHES = (("wall.approach_speed", "m/s", 0),)
 
 PAIRS = (("wall", "sphere_on_plane"),)
 
-EVENTS = (("oil.seam", (1,)),)
+EVENTS = (("oil.seam", (1,)), ("oil.rupture", (2,)))
 
 RELEASES = ("force",)
 
@@ -73,14 +73,14 @@ LANDMARKS = (
 )
 
 CONSTANTS = (
-    ("radius", "m"), ("stiffness", "N/m^1.5"), ("boundary_layer", "m"), ("half_inverse_boundary_layer", "1/m"),
-    ("twice_boundary_layer", "m"), ("inverse_boundary_layer", "1/m"), ("k4", "N s"), ("two_fifths_of_stiffness", "N/m^1.5"),
+    ("radius", "m"), ("stiffness", "N/m^1.5"), ("boundary_layer", "m"), ("speed", "m/s"), ("half_inverse_boundary_layer", "1/m"),
+    ("twice_boundary_layer", "m"), ("inverse_boundary_layer", "1/m"), ("k4", "N s"), ("k5", "m/s"), ("two_fifths_of_stiffness", "N/m^1.5"),
     ("wall_hysteresis_factor", "1"), ("inverse_mass", "1/kg"), ("half_mass", "kg"),
 )
 
 OPERATIONS = (
-    ("constants", 16), ("start", 2), ("scales", 4), ("coordinate_rates", 0), ("gaps", 1), ("gap_accelerations", 0), ("contact_wall", 16),
-    ("applied", 39), ("accelerations", 1), ("margins", 12), ("jumps", 10), ("ledger", 41), ("energy", 12), ("poses", 0), ("outputs", 40),
+    ("constants", 17), ("start", 2), ("scales", 4), ("coordinate_rates", 0), ("gaps", 1), ("gap_accelerations", 0), ("contact_wall", 16),
+    ("applied", 38), ("accelerations", 1), ("margins", 17), ("jumps", 11), ("ledger", 40), ("energy", 12), ("poses", 0), ("outputs", 39),
     ("landmarks", 0),
 )
 
@@ -95,20 +95,21 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (11,): radius, stiffness, boundary_layer, half_inverse_boundary_layer, twice_boundary_layer, inverse_boundary_layer, k4,
-            two_fifths_of_stiffness, wall_hysteresis_factor, inverse_mass, half_mass
+        c (13,): radius, stiffness, boundary_layer, speed, half_inverse_boundary_layer, twice_boundary_layer, inverse_boundary_layer, k4,
+            k5, two_fifths_of_stiffness, wall_hysteresis_factor, inverse_mass, half_mass
     """
-    mass, radius, stiffness, restitution, viscosity, boundary_layer = p[0], p[1], p[2], p[3], p[5], p[6]
+    mass, radius, stiffness, restitution, viscosity, boundary_layer, speed = p[0], p[1], p[2], p[3], p[5], p[6], p[8]
     half_inverse_boundary_layer = 1/(2*boundary_layer)
     twice_boundary_layer = 2*boundary_layer
     inverse_boundary_layer = 1/boundary_layer
     k4 = 6*3.141592653589793*radius*radius*viscosity
+    k5 = 1e-06*speed
     two_fifths_of_stiffness = 2*stiffness/5
     wall_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
     inverse_mass = 1/mass
     half_mass = mass/2
-    return ca.vertcat(radius, stiffness, boundary_layer, half_inverse_boundary_layer, twice_boundary_layer, inverse_boundary_layer, k4,
-        two_fifths_of_stiffness, wall_hysteresis_factor, inverse_mass, half_mass)
+    return ca.vertcat(radius, stiffness, boundary_layer, speed, half_inverse_boundary_layer, twice_boundary_layer, inverse_boundary_layer,
+        k4, k5, two_fifths_of_stiffness, wall_hysteresis_factor, inverse_mass, half_mass)
 
 
 def start(p):
@@ -116,11 +117,11 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (2,): COORDINATES
+        q (3,): COORDINATES
         u (1,): SPEEDS
     """
     radius, film_height, speed = p[1], p[7], p[8]
-    return ca.vertcat(film_height + radius, 0), ca.vertcat(-speed)
+    return ca.vertcat(film_height + radius, 0, 0), ca.vertcat(-speed)
 
 
 def scales(p):
@@ -128,7 +129,7 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (2,): COORDINATES
+        sq (3,): COORDINATES
         su (1,): SPEEDS
         sz (2,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
@@ -136,7 +137,7 @@ def scales(p):
     mass, film_height, speed = p[0], p[7], p[8]
     energy_scale = speed*speed*mass/2
     force_scale = energy_scale/film_height
-    return (ca.vertcat(film_height, 1), ca.vertcat(speed), ca.vertcat(energy_scale, energy_scale),
+    return (ca.vertcat(film_height, 1, 1), ca.vertcat(speed), ca.vertcat(energy_scale, energy_scale),
         ca.vertcat(film_height, speed, force_scale, energy_scale))
 
 
@@ -145,10 +146,10 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (2,): path.travel [m/s], oil.seams [1/s]
+        dq (3,): path.travel [m/s], oil.seams [1/s], oil.ruptured [1/s]
     """
     path_speed = u[0]
-    return ca.vertcat(path_speed, 0)
+    return ca.vertcat(path_speed, 0, 0)
 
 
 def gaps(t, q, u, c):
@@ -188,7 +189,7 @@ def contact_wall(t, q, u, z, m, c):
         sliding_velocity (0,): empty
         in_range (1,): PAIRS [1]
     """
-    radius, stiffness, wall_hysteresis_factor = c[0], c[1], c[8]
+    radius, stiffness, wall_hysteresis_factor = c[0], c[1], c[10]
     path_travel = q[0]
     path_speed = u[0]
     wall_approach_speed = m[0]
@@ -207,10 +208,11 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (1,): path [N]
     """
-    radius, boundary_layer, half_inverse_boundary_layer, twice_boundary_layer, inverse_boundary_layer = c[0], c[2], c[3], c[4], c[5]
-    k4 = c[6]
+    radius, boundary_layer, half_inverse_boundary_layer, twice_boundary_layer, inverse_boundary_layer = c[0], c[2], c[4], c[5], c[6]
+    k4 = c[7]
     path_travel = q[0]
     path_speed = u[0]
+    oil_ruptured = q[2]
     wall_gap = path_travel - radius
     x1 = 2*boundary_layer
     oil_nearness = ca.if_else(wall_gap < x1, 1 - half_inverse_boundary_layer*wall_gap, 0)
@@ -219,7 +221,7 @@ def applied(t, q, u, c):
     oil_sinking = ca.if_else(-wall_gap > 0, -inverse_boundary_layer*wall_gap, 0)
     oil_drag = k4/oil_thickness
     oil_share = ca.if_else(-wall_gap < boundary_layer, 1 - oil_sinking*oil_sinking*(3 - 2*oil_sinking), 0)
-    oil_load = ca.if_else(-path_speed > 0, -oil_drag*oil_share*path_speed, 0)
+    oil_load = ca.if_else(oil_ruptured > 0, 0, -oil_drag*oil_share*path_speed)
     return ca.vertcat(oil_load)
 
 
@@ -231,7 +233,7 @@ def accelerations(t, q, u, f, c):
         a (1,): path.acceleration [m/s^2]
         reactions (0,): empty
     """
-    inverse_mass = c[9]
+    inverse_mass = c[11]
     path_force = f[0]
     path_acc = inverse_mass*path_force
     return ca.vertcat(path_acc), ca.vertcat()
@@ -242,15 +244,19 @@ def margins(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        margin (1,): oil.seam [1]
+        margin (2,): oil.seam [1], oil.rupture [1]
     """
-    radius, inverse_boundary_layer = c[0], c[5]
-    path_travel, oil_seams = q[0], q[1]
+    radius, speed, inverse_boundary_layer, k5 = c[0], c[3], c[6], c[8]
+    path_travel = q[0]
+    path_speed = u[0]
+    oil_seams, oil_ruptured = q[1], q[2]
     wall_gap = path_travel - radius
     x1 = -inverse_boundary_layer*wall_gap
     oil_past_0 = 2 + x1
     oil_past_1 = x1 - 1
-    return ca.vertcat(ca.if_else(oil_seams > 0, oil_past_0, -oil_past_0)*ca.if_else(oil_seams > 1, oil_past_1, -oil_past_1))
+    oil_reversal = k5 + ca.if_else(oil_ruptured > 0, path_speed, -path_speed)
+    return ca.vertcat(ca.if_else(oil_seams > 0, oil_past_0, -oil_past_0)*ca.if_else(oil_seams > 1, oil_past_1, -oil_past_1),
+        oil_reversal/speed)
 
 
 def jumps(t, q, u, c):
@@ -258,15 +264,15 @@ def jumps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        then (1,): oil.seams [1]
+        then (2,): oil.seams [1], oil.ruptured [1]
     """
-    radius, inverse_boundary_layer = c[0], c[5]
-    path_travel = q[0]
+    radius, inverse_boundary_layer = c[0], c[6]
+    path_travel, oil_ruptured = q[0], q[2]
     wall_gap = path_travel - radius
     x1 = -inverse_boundary_layer*wall_gap
     oil_past_0 = 2 + x1
     oil_past_1 = x1 - 1
-    return ca.vertcat(ca.if_else(oil_past_0 >= 0, 1, 0) + ca.if_else(oil_past_1 >= 0, 1, 0))
+    return ca.vertcat(ca.if_else(oil_past_0 >= 0, 1, 0) + ca.if_else(oil_past_1 >= 0, 1, 0), 1 - oil_ruptured)
 
 
 def ledger(t, q, u, reactions, c):
@@ -276,10 +282,11 @@ def ledger(t, q, u, reactions, c):
     Returns, each a column vector:
         dz (2,): MEMORY [W]
     """
-    radius, boundary_layer, half_inverse_boundary_layer, twice_boundary_layer, inverse_boundary_layer = c[0], c[2], c[3], c[4], c[5]
-    k4 = c[6]
+    radius, boundary_layer, half_inverse_boundary_layer, twice_boundary_layer, inverse_boundary_layer = c[0], c[2], c[4], c[5], c[6]
+    k4 = c[7]
     path_travel = q[0]
     path_speed = u[0]
+    oil_ruptured = q[2]
     wall_gap = path_travel - radius
     x1 = 2*boundary_layer
     oil_nearness = ca.if_else(wall_gap < x1, 1 - half_inverse_boundary_layer*wall_gap, 0)
@@ -288,7 +295,7 @@ def ledger(t, q, u, reactions, c):
     oil_sinking = ca.if_else(-wall_gap > 0, -inverse_boundary_layer*wall_gap, 0)
     oil_drag = k4/oil_thickness
     oil_share = ca.if_else(-wall_gap < boundary_layer, 1 - oil_sinking*oil_sinking*(3 - 2*oil_sinking), 0)
-    oil_load = ca.if_else(-path_speed > 0, -oil_drag*oil_share*path_speed, 0)
+    oil_load = ca.if_else(oil_ruptured > 0, 0, -oil_drag*oil_share*path_speed)
     oil_power = -oil_load*path_speed
     return ca.vertcat(0, oil_power)
 
@@ -302,7 +309,7 @@ def energy(t, q, u, c):
         potential (1,): potential [J]
         stored (1,): PAIRS [J]
     """
-    radius, two_fifths_of_stiffness, half_mass = c[0], c[7], c[10]
+    radius, two_fifths_of_stiffness, half_mass = c[0], c[9], c[12]
     path_travel = q[0]
     path_speed = u[0]
     wall_gap = path_travel - radius
@@ -331,10 +338,11 @@ def outputs(t, q, u, c):
     Returns, each a column vector:
         y (3,): OUTPUTS
     """
-    radius, boundary_layer, half_inverse_boundary_layer, twice_boundary_layer, inverse_boundary_layer = c[0], c[2], c[3], c[4], c[5]
-    k4 = c[6]
+    radius, boundary_layer, half_inverse_boundary_layer, twice_boundary_layer, inverse_boundary_layer = c[0], c[2], c[4], c[5], c[6]
+    k4 = c[7]
     path_travel = q[0]
     path_speed = u[0]
+    oil_ruptured = q[2]
     wall_gap = path_travel - radius
     x1 = 2*boundary_layer
     oil_nearness = ca.if_else(wall_gap < x1, 1 - half_inverse_boundary_layer*wall_gap, 0)
@@ -343,7 +351,7 @@ def outputs(t, q, u, c):
     oil_sinking = ca.if_else(-wall_gap > 0, -inverse_boundary_layer*wall_gap, 0)
     oil_drag = k4/oil_thickness
     oil_share = ca.if_else(-wall_gap < boundary_layer, 1 - oil_sinking*oil_sinking*(3 - 2*oil_sinking), 0)
-    oil_load = ca.if_else(-path_speed > 0, -oil_drag*oil_share*path_speed, 0)
+    oil_load = ca.if_else(oil_ruptured > 0, 0, -oil_drag*oil_share*path_speed)
     return ca.vertcat(wall_gap, ca.fabs(oil_load), oil_thickness)
 
 

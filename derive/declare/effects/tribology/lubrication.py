@@ -77,6 +77,8 @@ SOUGHT = (
 )
 
 
+REST = sp.Float("1e-6")
+"""Of the scene's speed: a film ruptures or fills where it opens or closes faster, which moves a reversal by the square of that."""
 TRANSITIONS = {"smooth": (-2, 1), "linear": (-1, 1), "abrupt": (-1, 0)}
 """Of each transition the penetrations at which its law has a seam, in boundary layers, beside the onset of contact."""
 
@@ -139,6 +141,8 @@ class Lubrication(PairEffect):
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the number of seams of the law that are passed; the first step finds it."""
         yield State("seams", "1", size=sp.S.One)
+        if self.cavitation:
+            yield State("ruptured", "1", size=sp.S.One)
 
     def element(self, kin: Kinematics) -> Element:
         """Element of the film; outputs: size of its force [N], least thickness [m].
@@ -218,12 +222,18 @@ class _Squeeze(_Film):
         sinking = self.let(Where(depth > 0, depth / layer, 0), "sinking")
         (drag,) = self.resistances({h: thickness})
         load = self.share(depth < layer, sinking) * drag * approach
-        load = self.let(Where(approach > 0, load, 0) if self.effect.cavitation else load, "load")
+        events = [self.seam(depth / layer, TRANSITIONS[self.effect.transition])]
+        if self.effect.cavitation:  # its force has a kink where it ruptures: a step ends there, but not at rest
+            ruptured = self.kin.state(f"{self.effect.name}.ruptured")
+            load = Where(ruptured > 0, 0, load)
+            pace = sp.sympify(self.kin.scene.scales.speed)
+            margin = self.let(Where(ruptured > 0, -approach, approach) + REST * pace, "reversal")
+            events.append(Event("rupture", margin, pace, {"ruptured": 1 - ruptured}))
+        load = self.let(load, "load")
         force = self.named(scale(load, touch.normal), "force")
         forces = self.kin.generalised(force, touch.position, touch.first.body, touch.second.body, self.effect.name)
         outputs = (f"{self.effect.name}.force", "N", sp.Abs(load)), (f"{self.effect.name}.thickness", "m", thickness)
-        seam = self.seam(depth / layer, TRANSITIONS[self.effect.transition])
-        return Element(forces, dissipated=self.let(load * approach, "power"), outputs=outputs, events=(seam,))
+        return Element(forces, dissipated=self.let(load * approach, "power"), outputs=outputs, events=tuple(events))
 
 
 class _Journal(_Film):
