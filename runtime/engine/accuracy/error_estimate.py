@@ -204,7 +204,7 @@ class Verdict(Enum):
 class LadderResult(Generic[Data]):
     """Result of a ladder: the run to return, its error, the verdict.
 
-    incomplete: another run that was stopped, or failed, during the search.
+    incomplete: another run that was stopped, failed, or was given up during the search.
     foreseen: no run was made at the least tolerance, whose error is the floor of the estimate.
     """
 
@@ -284,6 +284,7 @@ class Ladder(Generic[Data]):
         self._runs, self._wall_s = 0, 0.0
         self._errors: list[tuple[float, float]] = []  # tolerances and errors
         self._foreseen = math.inf  # error expected of the least tolerance, where it is not tried
+        self._given_up: Rung[Data] | None = None  # that was to check the last run
         self._least = LEAST  # tolerance that is worth a run: by so much the start is off already, as it is rounded
 
     def search(self, tolerance: float) -> LadderResult[Data]:
@@ -323,7 +324,7 @@ class Ladder(Generic[Data]):
             if decision is Verdict.BEYOND and self._error(best) <= VALID:  # chance: the best run stays valid to its end
                 decision = Verdict.UNREACHABLE
             if decision is not None:
-                return self._result(best, decision)
+                return self._result(best, decision, self._given_up if checked.last else None)
             tolerance = max(run.tolerance * self._requested / (MARGIN * error), self._least)
 
     def _error(self, checked: _Checked[Data]) -> float:
@@ -346,6 +347,7 @@ class Ladder(Generic[Data]):
         near = self._make(run.tolerance * NEAR, (run, 1))
         if near.end is not End.REACHED:
             return [check]
+        self._given_up = check
         return [check, near] if check.end is End.REACHED else [near]
 
     def _make(

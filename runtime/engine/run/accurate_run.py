@@ -98,6 +98,7 @@ def verdict_of(
         if error.floor is not None:
             end = None if request.at_end else error.end
             facts: dict[str, Any] = {"when": error.when, "foreseen": ladder_result.foreseen, "end": end}
+            facts["rounded"] = verdict is Verdict.UNREACHABLE
             result = unreachable(request.error, error.floor, run.method, other, **facts)
         elif other is not None:
             result = unknown(request.error, other)

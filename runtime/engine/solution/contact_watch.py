@@ -30,6 +30,7 @@ FEW = (
     2**11
 )  # rows of a block that may wait for those of other runs: more leave the cache, and their memory is given back
 BESIDE = np.array([-1, 0, 1])
+ROOTS = 8  # iterations for the root of a force that pulls briefly; from afar each divides the way by three
 AT_ONCE = 1e-12  # of the time: rows so near each other are one
 CREST = 2.0  # times the larger end of a step: most that is believed of the cubic in it
 BEYOND = 1.1  # gap rate over approach speed from which a contact has left its law; rounding and steps make an impact's no larger than 1.001
@@ -240,9 +241,13 @@ def _follow(watches: Sequence[Watch], pieces: Sequence[Piece], j: int) -> None:
     run = np.searchsorted(stops, begins, side="right")
     goes = final[ends]
     leaves = np.append(np.flatnonzero(touched & ~touching), -1)  # the last: before these rows
-    released = leaves[:-1][modes[leaves[:-1]] == RELEASED]
-    if released.size:
-        t[released] -= _since_released(pieces, starts, j, released)
+    module, left = watches[0].model.module, leaves[:-1]
+    if module.RELEASES[j] != "force" or any(pair == j for *_, pair in module.LATCHES):
+        left = left[
+            modes[left] == RELEASED
+        ]  # with an approach speed damping is a factor of the force, and vanishes with it
+    if left.size:
+        t[left] -= _since_released(pieces, starts, j, left, modes[left] == RELEASED)
     latest = leaves[np.searchsorted(leaves[:-1], ends + ~goes, side="right") - 1]
     before = np.array([math.nan if each is None else each.left[0] for each in begun])[run]
     lefts = np.where(latest >= starts[run], t[latest], before)
@@ -267,22 +272,39 @@ def _follow(watches: Sequence[Watch], pieces: Sequence[Piece], j: int) -> None:
             watch.open[j] = contacts.part(last, stop)
 
 
-def _since_released(pieces: Sequence[Piece], starts: np.ndarray, j: int, released: np.ndarray) -> np.ndarray:
+def _since_released(
+    pieces: Sequence[Piece], starts: np.ndarray, j: int, leaves: np.ndarray, released: np.ndarray
+) -> np.ndarray:
     """Return the times (n,) [s] since the normal force of pair j ran out.
 
-    At joined rows at which it is released. Landings miss it by what rounding changes a force of the scene's stiffness by: long where the
-    last of a force fades slowly.
+    At joined rows at which it is released or has opened. Landings miss the former by what rounding changes a force of the scene's
+    stiffness by: long where the last of a force fades slowly. A force that pulls just before the gap opens has run out unseen, in the
+    last NEAR of the step or within its tolerance at the start: its root is found by Newton's method from there.
     """
-    piece, late = np.searchsorted(starts, released, side="right") - 1, []
+    piece, late = np.searchsorted(starts, leaves, side="right") - 1, np.zeros(len(leaves))
     for i in sorted(set(piece.tolist())):
         block, rows = pieces[i]
-        ends = released[piece == i] - starts[i] + rows.start
-        h = block.t[ends] - block.t[ends - 1]
-        at_end = block.of(block.later(block.rows[ends - 1], h))
+        fades = released[piece == i]
+        ends = leaves[piece == i] - starts[i] + rows.start
+        before, h = block.rows[ends - 1], block.t[ends] - block.t[ends - 1]
         with np.errstate(all="ignore"):
-            since = at_end.of_pair("force", j) / at_end.of_pair("force_rate", j)
-        late.append(np.where(np.abs(since) <= NEAR * h, since, 0.0))  # a force that jumps has no root
-    return np.concatenate(late)
+            near, at_end = _nearer(block, j, before, h, np.where(fades, 0.0, NEAR**2 * h))
+            known, since = fades & (np.abs(near) <= NEAR * h), near  # a force that jumps has no root
+            pulls = ~fades & (at_end.of_pair("force", j) < 0)
+            if pulls.any():
+                before, h = before[pulls], h[pulls]
+                root = h
+                for _ in range(ROOTS):
+                    root, at = _nearer(block, j, before, h, root)
+                since[pulls], known[pulls] = root, (at.of_pair("force_rate", j) < 0) & (root <= h)
+        late[piece == i] = np.where(known, since, 0.0)
+    return late
+
+
+def _nearer(block: History, j: int, before: np.ndarray, h: np.ndarray, since: np.ndarray) -> tuple[np.ndarray, History]:
+    """Return the times (n,) [s] from the root of a force to the ends of steps h, better known than `since`, and what is there."""
+    at = block.of(block.later(before, h - since))
+    return since + at.of_pair("force", j) / at.of_pair("force_rate", j), at
 
 
 def goes_on(modes: np.ndarray, before: bool | Sequence[bool], starts: int | np.ndarray = 0) -> np.ndarray:

@@ -158,12 +158,13 @@ def unreachable(
     tighter: Outcome | None = None,
     *,
     when: float,
+    rounded: bool = False,
     foreseen: bool = False,
     end: float | None = None,
 ) -> Outcome:
     """Return the outcome of a complete run whose requested error no tolerance meets.
 
-    tighter: outcome of a run with a smaller tolerance; when: time of the largest error [s]
+    tighter: outcome of a run with a smaller tolerance; rounded: rounding dominates the errors; when: time of the largest [s]
     foreseen: the floor is expected of a tolerance that was not tried
     end: the error at the end, where that of the whole run was requested.
     """
@@ -173,7 +174,8 @@ def unreachable(
     many = f"errors are proportional to the tolerance, and below {brief(LEAST)} rounding dominates"
     by, why = (f" of {method}", "") if better else ("", f": {many if foreseen else rounding}")
     if tighter is not None:
-        why = f": runs with a smaller tolerance end as {tighter.name}, {tighter.message}"
+        first = f"{rounding}; " if rounded else ""
+        why = f": {first}runs with a smaller tolerance end as {tighter.name}, {tighter.message}"
     alone = (
         f', or "{brief(requested, 3)} at the end", which this run meets' if end is not None and end <= requested else ""
     )

@@ -32,7 +32,7 @@ from hertzwerk.runtime.engine.integration.step.layout import CONSTRAINT_LOST
 from hertzwerk.runtime.engine.run import accurate_run
 from hertzwerk.runtime.engine.run.single_run import SingleRun
 from hertzwerk.runtime.engine.solution import error_scales as scaling
-from hertzwerk.runtime.engine.solution.outcome import unreachable
+from hertzwerk.runtime.engine.solution.outcome import Outcome, unreachable
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.loading import engine_model
 from reference.slider_crank import SliderCrank, reference
@@ -225,6 +225,9 @@ def test_a_floor_that_was_not_tried_is_said_to_be_expected():
         "no tolerance of dopri5 is expected to give"
         in unreachable(1e-9, 1e-8, "dopri5", when=1.0, foreseen=True).message
     )
+    given_up = Outcome("too_many_steps", "10,160 steps", "")
+    message = unreachable(1e-6, 2.4e-6, "auto", given_up, rounded=True, when=0.54).message
+    assert "rounding dominates, most at t = 0.54 s; runs with a smaller tolerance end as too_many_steps" in message
     assert "most at t = 0.25 s" in unreachable(1e-9, 1e-8, "dop853", when=0.25).message
     assert "proportional to the tolerance" in unreachable(1e-9, 1e-8, "dop853", when=0.25, foreseen=True).message
 
@@ -372,6 +375,7 @@ def test_a_tighter_run_that_needs_many_more_steps_is_given_up():
     assert ladder_result.verdict is Verdict.UNREACHABLE
     assert ladder_result.run.tolerance == 5e-13
     assert ladder_result.error.end == pytest.approx(5e-9)
+    assert ladder_result.incomplete.end is End.FAILED  # which the outcome states beside the rounding
     assert max(min(most, 100_000) for tolerance, most in recorded if tolerance < 2e-13) <= 500
 
 

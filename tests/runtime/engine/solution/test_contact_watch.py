@@ -213,3 +213,12 @@ def test_no_crest_is_found_on_a_step_past_the_onset_of_sticking():
     actual = watched(run.engine.history.of(np.insert(rows, sticks, landed, axis=0))).impacts()[-1]
     assert rows[sticks, places["force"]] == pytest.approx(expected.peak_force, rel=1e-12)
     assert actual.peak_force == pytest.approx(expected.peak_force, rel=1e-12)
+
+
+def test_a_force_that_runs_out_just_before_the_gap_opens_ends_the_contact_there_in_every_run():
+    """At 1.5e-10 a step ends where it has faded, and the last steps over the pull: on the old code its duration was 1 us longer."""
+    one, other = (
+        bodies_on_planes.run(replace(body_of(289), duration=0.083), tolerance=tolerance).impacts[-1]
+        for tolerance in (1.5e-10, 1e-11)
+    )
+    assert one.duration == pytest.approx(other.duration, abs=1e-10)
