@@ -302,7 +302,10 @@ def _since_released(
 
 
 def _nearer(block: History, j: int, before: np.ndarray, h: np.ndarray, since: np.ndarray) -> tuple[np.ndarray, History]:
-    """Return the times (n,) [s] from the root of a force to the ends of steps h, better known than `since`, and what is there."""
+    """Return the times (n,) [s] since a force was zero, better known than `since`, and the states there.
+
+    before, h    rows that the steps begin at (n, ns), and their lengths [s]
+    """
     at = block.of(block.later(before, h - since))
     return since + at.of_pair("force", j) / at.of_pair("force_rate", j), at
 
