@@ -1,16 +1,155 @@
-"""The other pairs in motion, against closed forms; their built-in scenes are scenarios."""
+"""Built-in scenes of the other pairs against closed forms and independent integrations of equations derived another way."""
 
 import numpy as np
 import pytest
 import sympy as sp
+from scipy.integrate import solve_ivp
 
 import hertzwerk.derive as hd
 from hertzwerk.derive.laws import flores, power, smooth_coulomb
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.output.plots.curves import Curves
 
-M, G, K = 0.5, 9.81, 1e7
+TIGHT = {"rtol": 1e-13, "atol": 1e-15, "method": "DOP853"}
+
+
+def lagrange(kinetic, potential, coordinates):
+    """Accelerations as a function of (q, u) by Lagrange's equations."""
+    speeds = [sp.Symbol(f"{q}_rate") for q in coordinates]
+    t_of_u = kinetic(coordinates, speeds)
+    momenta = [sp.diff(t_of_u, u) for u in speeds]
+    mass = sp.Matrix(momenta).jacobian(speeds)
+    rest = [
+        sp.diff(t_of_u - potential(coordinates), q) - sum(sp.diff(p, k) * u for k, u in zip(coordinates, speeds, strict=True))
+        for q, p in zip(coordinates, momenta, strict=True)
+    ]  # fmt: skip
+    numbers = sp.lambdify([coordinates, speeds], (mass, sp.Matrix(rest)))
+
+    def rates(_, y):
+        n = len(coordinates)
+        m, f = numbers(y[:n], y[n:])
+        return np.concatenate([y[n:], np.linalg.solve(np.array(m, float), np.array(f, float).ravel())])
+
+    return rates
+
+
+def event(function):
+    function.terminal = True
+    return function
+
+
+# -- a ball in a socket ------------------------------------------------------------------------------------------------
+
+M, G, C, K = 0.5, 9.81, 5e-3, 1e7
 REST = (M * G / K) ** (2 / 3)
+
+
+def test_a_ball_swings_in_its_socket_as_an_elastic_pendulum():
+    """In polar coordinates about the socket's centre: the length is the clearance plus the penetration."""
+
+    def rates(_, y):
+        length, angle, length_rate, angle_rate = y
+        push = K * (length - C) ** 1.5
+        return [
+            length_rate,
+            angle_rate,
+            length * angle_rate**2 + G * np.cos(angle) - push / M,
+            -(2 * length_rate * angle_rate + G * np.sin(angle)) / length,
+        ]
+
+    run = simulate(load("ball_in_socket"), duration=0.5, tolerance=1e-10)
+    length, angle, _, _ = solve_ivp(rates, (0, 0.5), [C + REST, 0.05, 0, 0], **TIGHT).y[:, -1]
+    assert run.outcome.finished
+    assert run["float.x"][-1] == pytest.approx(length * np.sin(angle), abs=1e-9 * C)
+    assert run["float.z"][-1] == pytest.approx(-length * np.cos(angle), rel=1e-9)
+    assert run["ball_joint.eccentricity_x"][-1] == run["float.x"][-1]
+    assert run.energy_residual < 1e-9
+
+
+# -- the slider in its guide -------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def guide():
+    model = load("translational_clearance")
+    return model, simulate(model, duration="40 ms", tolerance=1e-12)
+
+
+def textbook(_, y):
+    """A double pendulum of rods with a point mass at its end, which is the slider while it does not turn: angles against X."""
+    r, l, m1, m2, m3, J1, J2 = 0.153, 0.306, 0.038, 0.038, 0.076, 7.4e-5, 5.9e-4
+    a, b, da, db = y
+    cross = r * l * (m2 / 2 + m3)
+    mass = np.array([
+        [J1 + m1 * r**2 / 4 + (m2 + m3) * r**2, cross * np.cos(a - b)],
+        [cross * np.cos(a - b), J2 + m2 * l**2 / 4 + m3 * l**2],
+    ])  # fmt: skip
+    force = [
+        -cross * np.sin(a - b) * db**2 - 9.81 * r * np.cos(a) * (m1 / 2 + m2 + m3),
+        cross * np.sin(a - b) * da**2 - 9.81 * l * np.cos(b) * (m2 / 2 + m3),
+    ]
+    return [da, db, *np.linalg.solve(mass, force)]
+
+
+def height(y):
+    return 0.153 * np.sin(y[0]) + 0.306 * np.sin(y[1])
+
+
+def test_the_first_contact_of_the_slider_is_where_an_independent_integration_finds_it(guide):
+    """The slider starts parallel and keeps so until a corner touches: both corners of one side do at once."""
+    _, run = guide
+    hit = solve_ivp(textbook, (0, 0.01), [0, 0, 150, -75], events=event(lambda _, y: abs(height(y)) - 1e-3), **TIGHT)
+    (time,), (state,) = hit.t_events[0], hit.y_events[0]
+    speed = 0.153 * np.cos(state[0]) * state[2] + 0.306 * np.cos(state[1]) * state[3]
+    side = "upper" if height(state) > 0 else "lower"
+    first, second = run.impacts[:2]
+    assert {first.contact, second.contact} == {f"front_{side}", f"rear_{side}"}
+    assert first.t == pytest.approx(time, rel=1e-10)
+    assert second.t == pytest.approx(time, rel=1e-10)
+    assert first.speed == pytest.approx(abs(speed), rel=1e-9)
+
+
+def test_four_corners_keep_the_ledger_closed_and_the_slider_in_its_guide(guide):
+    _, run = guide
+    assert run.outcome.finished
+    assert run.energy_residual < 1e-9
+    assert {impact.contact for impact in run.impacts} >= {"front_upper", "rear_upper", "front_lower"}
+    gaps = [run[f"{pair}.gap"] for pair in run.engine.model.pairs]
+    assert min(np.min(gap) for gap in gaps) > -2e-4
+
+
+# -- the spatial slider-crank ------------------------------------------------------------------------------------------
+
+
+def test_the_first_contact_of_the_ball_is_where_an_independent_integration_finds_it():
+    """Slider and rod fly freely until the ball has left the centre of the driven socket by the clearance."""
+    r, l, w, beside, above = 0.08, 0.3, 60.0, 0.1, 0.12
+
+    def kinetic(q, u):
+        (_, yaw, pitch), (dx, dyaw, dpitch) = q, u
+        half = [-l / 2 * sp.cos(pitch) * sp.cos(yaw), -l / 2 * sp.cos(pitch) * sp.sin(yaw), l / 2 * sp.sin(pitch)]
+        v = [sum(sp.diff(k, a) * da for a, da in ((yaw, dyaw), (pitch, dpitch))) for k in half]
+        v[0] += dx
+        spin = 4e-4 * (dyaw * sp.sin(pitch)) ** 2 + 4e-3 * (dpitch**2 + (dyaw * sp.cos(pitch)) ** 2)
+        return sp.Rational(1, 2) * (2.0 * dx**2 + 0.5 * sum(k**2 for k in v) + spin)
+
+    rates = lagrange(kinetic, lambda q: 0.5 * 9.81 * l / 2 * sp.sin(q[2]), list(sp.symbols("x yaw pitch")))
+
+    def apart(t, y):
+        x, yaw, pitch = y[:3]
+        ball = np.array([x - l * np.cos(pitch) * np.cos(yaw), -l * np.cos(pitch) * np.sin(yaw), l * np.sin(pitch)])
+        return ball - [0, beside - r * np.sin(w * t), above + r * np.cos(w * t)]
+
+    way = np.sqrt(l**2 - beside**2 - (above + r) ** 2)
+    start = [way, -np.arctan(beside / way), np.arcsin((above + r) / l), beside * r * w / way, r * w / way, 0.0]
+    assert np.linalg.norm(apart(0, start)) < 1e-15
+    hit = solve_ivp(rates, (0, 0.01), start, events=event(lambda t, y: np.linalg.norm(apart(t, y)) - 2e-4), **TIGHT)
+    ((time,),) = hit.t_events
+    run = simulate(load("spatial_slider_crank"), duration="105 ms", tolerance=1e-11)
+    assert run.impacts[0].t == pytest.approx(time, rel=1e-9)
+    assert run.outcome.finished
+    assert run.energy_residual < 1e-9
+    assert len(run.impacts) > 10
 
 
 # -- pairs in motion ---------------------------------------------------------------------------------------------------
