@@ -206,7 +206,7 @@ def lost_by_quadrature(run):
     return 2 * 1e4 * K * (power @ weights * h / 2).sum()
 
 
-def check_impacts(model=None, duration="6 ms"):
+def check_impacts(model=None, duration="3 ms"):
     """Volume and energy in a run with impacts."""
     run = simulate(model or load(worn_crank()), duration=duration, tolerance=1e-8, method="dop853", compiled=False)
     assert run["wear.volume"] == pytest.approx(2 * 1e4 * K * run["wear.load_path"], rel=1e-11)
@@ -286,7 +286,7 @@ FAULTS = {
     ),
     "no energy lost with what is worn off": (
         check_impacts, CONTOUR, "progress",
-        lambda self, found: replace(found, recession=sp.S.Zero),
+        lambda self, found: (found[0], sp.S.Zero),
     ),
 }  # fmt: skip
 
