@@ -7,7 +7,7 @@ elements, broken before equals, plus and minus signs, so that long equations go 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Literal, TypeAlias
 from unicodedata import lookup
 
@@ -15,11 +15,13 @@ from hertzwerk.derive.common.markup import Markup, joined, tag
 
 LONG = 45  # tokens from which a bracket or a numerator is taken apart
 
-WIDE = 30  # elements from which a line may also break before a factor
+WIDE = 30  # letters and signs from which a line may also break before a factor
 
-CELL = 45  # letters and signs from which a case goes on in the next line
+CELL = 45  # and from which a case goes on in the next line
 
-Role: TypeAlias = Literal["", "sign", "opens", "factor"]
+ROW = 65  # and from which a line breaks before a root or bracket, and a condition stands below its value
+
+Role: TypeAlias = Literal["", "sign", "opens", "factor", "comma"]
 
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\d+(?:\.\d+)?|\S", re.DOTALL)
 _SYMBOLS = {
@@ -84,8 +86,9 @@ def _pieces(nodes: Iterable[tuple[Markup, Role]]) -> list[list[Markup]]:
     pieces: list[list[Markup]] = [[]]
     before: Role = "opens"
     for node, role in nodes:
-        wide = sum(piece.count("<m") for piece in pieces[-1]) > WIDE
-        breaks = (role == "sign" or (wide and role != "")) and before not in ("sign", "opens")
+        wide = _letters(joined(pieces[-1])) > WIDE or _letters(joined((*pieces[-1], node))) > ROW
+        here = role == "sign" or (wide and (role in ("opens", "factor") or before == "comma"))
+        breaks = here and before not in ("sign", "opens")
         if breaks:
             pieces.append([])
         # a plus or minus at the start of a piece is none of a number's
@@ -133,11 +136,18 @@ class _Reader:
         return ValueError(f"found {token!r} in {self._latex!r}, expected {wanted}")
 
     def _row(self, ends: tuple[str, ...], *, apart: bool = False) -> Iterator[tuple[Markup, Role]]:
+        before, word = "opens", False
         while self._token and self._token not in (*ends, "}", r"\right", r"\end", "&", r"\\"):
             if apart and (parts := self._taken_apart()) is not None:
                 yield from parts
-            else:
-                yield self._scripted()
+                before, word = "", False
+                continue
+            spaced, word = word, self._token == r"\mathrm" and self._closing(self._at + 1) > self._at + 3
+            node, role = self._scripted()
+            if (spaced or word) and before not in ("sign", "opens", "comma") and role not in ("sign", "opens", "comma"):
+                node = joined((_space(_SPACES[","]), node))  # between factors of which one is a word
+            yield node, role
+            before = role
 
     def _taken_apart(self) -> Iterator[tuple[Markup, Role]] | None:
         """Return the pieces of a long group, bracket or fraction, if one comes next."""
@@ -220,7 +230,8 @@ class _Reader:
             around = _space(_SPACES[","])
             node = joined([around, node, None if self._fenced_next() else around])
             return node, "opens"
-        return node, "sign" if base in _BREAKS else "factor" if first in (r"\left", r"\begin") else ""
+        factor = first in (r"\left", r"\begin", r"\sqrt")
+        return node, "sign" if base in _BREAKS else "factor" if factor else "comma" if first == "," else ""
 
     def _argument(self) -> Markup:
         """Return a group, or the one node that stands for it."""
@@ -307,7 +318,7 @@ class _Reader:
             raise self._unexpected(name, "cases")
         rows: list[list[Markup]] = [[]]
         while True:
-            rows[-1].append(tag("mtd", self._cell(), style="text-align: left"))
+            rows[-1].append(self._cell())
             if (token := self._next()) == r"\\":
                 rows.append([])
             elif token == r"\end":
@@ -315,9 +326,8 @@ class _Reader:
                 break
             elif token != "&":
                 raise self._unexpected(token)
-        return tag(
-            "mrow", tag("mo", "{", fence="true", stretchy="true"), tag("mtable", *(tag("mtr", *row) for row in rows))
-        )
+        table = tag("mtable", *(tag("mtr", *cells) for row in rows for cells in _case(row)))
+        return tag("mrow", tag("mo", "{", fence="true", stretchy="true"), table)
 
     def _cell(self) -> Markup:
         """Return a value or condition of cases; a long one as lines below each other."""
@@ -331,6 +341,15 @@ class _Reader:
                 lines.append([_space(_SPACES["quad"])])
             lines[-1] += piece
         return tag("mtable", *(tag("mtr", tag("mtd", *line, style="text-align: left; padding: 0")) for line in lines))
+
+
+def _case(row: Sequence[Markup]) -> Iterator[list[Markup]]:
+    """Yield the cells of a value and its condition; a long condition stands below its value."""
+    if _letters(joined(row)) <= ROW:
+        yield [tag("mtd", cell, style="text-align: left") for cell in row]
+        return
+    for cell, before in zip(row, (None, _space(_SPACES["qquad"])), strict=False):
+        yield [tag("mtd", before, cell, style="text-align: left", columnspan="2")]
 
 
 def _letter(name: str) -> str:

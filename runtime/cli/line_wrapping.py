@@ -1,4 +1,4 @@
-"""Text fitted to the terminal: lines broken between words, wide tables in panels; unbroken in a pipe."""
+"""Text fitted to the terminal: lines broken between words, wide tables in panels, unbroken in a pipe."""
 
 from __future__ import annotations
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 import shutil
 import sys
 import time
@@ -43,6 +44,8 @@ COLOURS = {
 }
 BAR_AFTER, BETWEEN = 0.5, 0.1  # s: least age of a stage with a bar; between two updates
 BAR, LONGEST = 30, 1e5  # characters; s: longest remaining time that is shown
+NO_BREAK = "\N{NO-BREAK SPACE}"
+WHOLE = re.compile(r"`[^`]+`|(?<=\d) (?=[A-Za-z]{1,3}\b)")  # commands, and numbers with their units, are not broken
 INTERRUPTED = 130  # exit code of a process ended by SIGINT, as in a shell
 
 
@@ -137,9 +140,10 @@ def _report_error(error: Exception) -> None:
 
 
 def line(label: str, text: str) -> None:
-    """Print one line of a report, or several under one label."""
-    width, room = line_wrapping.columns(), max(len(label), 12)
-    first, *rest = line_wrapping.wrapped(text, None if width is None else width - room - 2).split("\n")
+    """Print one line of a report, or several under one label; in a pipe, up to 100 columns."""
+    width, room = line_wrapping.columns() or line_wrapping.PROSE, max(len(label), 12)
+    bound = re.sub(WHOLE, lambda part: part[0].replace(" ", NO_BREAK), text)
+    first, *rest = line_wrapping.wrapped(bound, width - room - 2).replace(NO_BREAK, " ").split("\n")
     click.echo(f"{click.style(f'{label:<12}', fg=COLOURS.get(label))}  {first}".rstrip())
     for line in rest:
         click.echo(f"{'':14}{line}".rstrip())

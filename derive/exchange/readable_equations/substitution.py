@@ -79,8 +79,8 @@ class Substitution:
         for symbol in order:
             form = self._flat(self._contracted(assignments[symbol].xreplace(self._inlined)))
             self.of[symbol] = form
-            if form.is_Function and any(isinstance(part, Where) for part in form.args):
-                self._landmarks.add(symbol)  # a branch within a branch: long, and written once
+            if form.has(Where):
+                self._landmarks.add(symbol)  # branches are long: written once, and not within each other
             size, keep = self.size(form), symbol in self._landmarks
             if form in self._known or (form in self._landmarks and symbol not in requested):
                 self._inlined[symbol] = self._known.get(form, form)  # equal to a named result

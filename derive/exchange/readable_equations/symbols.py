@@ -235,7 +235,7 @@ class Names:
         for owner in self._owners:
             if name.startswith(f"{owner}_"):
                 rest, axis = name[len(owner) + 1 :], ""
-                if rest[-2:] in ("_x", "_y", "_z"):
+                if rest[-2:] in ("_x", "_y", "_z") and rest not in self._law_meanings:  # a law's d_y is no component
                     rest, axis = rest[:-2], rest[-1]
                 if rest in self._words[owner] or (rest in self._law_meanings and not axis):
                     return owner, rest, axis

@@ -12,12 +12,15 @@ MOST_TERMS = 80  # of an expanded sum that is searched
 
 
 def contract_products(expression: Any, angle: Callable[[Any], Any]) -> Any:
-    """Contract products of sines and cosines, and cos^2 + sin^2, where that leaves fewer terms.
+    """Contract products of sines and cosines, and cos^2 + sin^2, to fewer terms; also in powers.
 
     `angle` chooses the form of a sum of angles.
     """
     if not expression.has(sp.sin, sp.cos):
         return expression
+    expression = expression.replace(
+        lambda node: node.is_Pow and node.base.is_Add, lambda node: contract_products(node.base, angle) ** node.exp
+    )
     parts = sp.Add.make_args(expression)
     turning = [part for part in parts if part.has(sp.sin, sp.cos)]
     terms = [_split(term) for part in turning for term in sp.Add.make_args(sp.expand(part))]

@@ -34,6 +34,9 @@ class _OfData(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
     def _sympystr(self, _: Any) -> str:
         return str(self.name)
 
+    def _latex(self, _: Any) -> str:
+        return rf"\mathrm{{{self.name}}}".replace("_", r"\,")
+
 
 def _restored(kind: type[_OfData], data: dict[str, Any]) -> _OfData:
     return kind(**data)
@@ -122,27 +125,40 @@ class DrawnTeeth(Drawn):
     """`DrawnTeeth(flank, root, *parameters)`: the same of teeth, down to the radius of their root."""
 
 
-class Nearest(NoText):
+class _Search(NoText):
+    """Common part of searches along curves: readers see the curves and the place."""
+
+    curves = 1
+
+    def _latex(self, printer: Any) -> str:
+        n = self.curves  # behind them as many samples, two numbers of a place for each, and parameters
+        shown = ", ".join(map(printer.doprint, (*self.args[:n], *self.args[2 * n : 4 * n])))
+        return rf"\operatorname{{{type(self).__name__.lower()}}}\left({shown}\right)"
+
+
+class Nearest(_Search):
     """`Nearest(curve, samples, x, y, *parameters)`: where it is nearest to a point (x, y): a vector.
 
     Signed distance, normal there (two), curvature of the parallel curve through the point, parameter.
     """
 
 
-class Support(NoText):
+class Support(_Search):
     """`Support(curve, samples, x, y, *parameters)`: where it is least along (x, y): a vector.
 
     Its point there (two), radius of curvature, parameter.
     """
 
 
-class Between(NoText):
+class Between(_Search):
     """`Between(one, two, samples, samples, x, y, cos, sin, *parameters)`: where they are nearest.
 
     A vector. The place of the first is at (x, y) along the axes of the second's, and turned. Signed distance, normal out of the
     second (two), its point there (two), three coefficients of their motion, both parameters (`OnCurve.between`). Of two chains
     the last two are the `ChainPoints` of each, of copies the last may be a `Place`.
     """
+
+    curves = 2
 
 
 class Entry(NoText):

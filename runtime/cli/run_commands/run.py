@@ -262,10 +262,10 @@ def _report(solution: Solution) -> None:
     )
     count = len(solution.impacts)
     closed = "" if solution.energy_residual is None else f", energy closed to {solution.energy_residual:.1g}"
-    checked = "" if solution.error is None else f", and {time_text(solution.error.pilot_s, 4)} for its estimate"
+    checked = "" if solution.error is None else f", estimated in {time_text(solution.error.pilot_s, 3)}"
     line(
         outcome.name,
-        f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {time_text(statistics.wall_s, 4)}{checked}",
+        f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {time_text(statistics.wall_s, 3)}{checked}",
     )
     if solution.error is not None and solution.settings.accuracy is not None:
         from hertzwerk.runtime.engine.accuracy.error_estimate import brief

@@ -162,4 +162,4 @@ def beyond_theory(checks: Sequence[Validity]) -> Iterator[str]:
             for check in exceeded
         )
         remedies = ", ".join(dict.fromkeys(WORDS[check.check].advice for check in exceeded))
-        yield f"contacts of {pairs} exceed limits of Hertz's theory: {counts}; {remedies}"
+        yield f"contacts of {pairs} exceed Hertz's theory: {counts}; {remedies}"

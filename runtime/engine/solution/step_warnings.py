@@ -30,13 +30,12 @@ def left_law(model: EngineModel, lasting: Sequence[Lasting], ends: History) -> I
         spent = float((ends.part("y")[-1, booked] - ends.part("y")[0, booked]).sum())
         part = sum([each.dissipated for each in lasting]) / spent if spent > 0 else 0.0
         if spent > 0:
-            share = f" ({f'{part:.0%}' if part >= SMALL else f'less than {SMALL:.0%}'} of its dissipation)"
-    of = f" of {', '.join(pairs)}"
+            share = f", {f'{part:.0%}' if part >= SMALL else f'less than {SMALL:.0%}'} of its dissipation"
     since = worst.since if worst.since > START * ends.t[-1] else 0.0
-    which = f"{len(lasting)} contacts{of}, the worst" if len(lasting) > 1 else f"a contact{of},"
+    count = f"{len(lasting)} contacts" if len(lasting) > 1 else "one contact"
     yield (
-        f"{which} since t = {since:.4g} s, exceeded the range of its damping law{share}: gap rates up to "
-        f"{worst.ratio:.2g} times the approach speed v0; take a law without v0 (`hertzwerk laws`), or raise approach_floor, the lowest v0"
+        f"contacts of {', '.join(pairs)} exceed the damping law: gap rates up to {worst.ratio:.2g} times the approach speed v0 "
+        f"since t = {since:.4g} s ({count}{share}); take a law without v0 (`hertzwerk laws`), or raise approach_floor"
     )
 
 

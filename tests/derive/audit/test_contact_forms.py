@@ -149,15 +149,11 @@ def test_hertz_on_a_lying_cylinder_is_advised_too():
 def test_a_run_of_the_slider_crank_has_a_line_for_each_finding(tmp_path):
     run = simulate(load("slider_crank"), duration="24 ms", tolerance=1e-8)
     theory, left, warning = run.warnings
-    assert theory.startswith(
-        "contacts of slider_pin exceed limits of Hertz's theory: 8 of 25 conform (worst 1.8 times), 6 of 25"
-    )
+    assert theory.startswith("contacts of slider_pin exceed Hertz's theory: 8 of 25 conform (worst 1.8 times), 6 of 25")
     assert left.startswith(
-        "4 contacts of slider_pin, the worst since t = 0.007822 s, exceeded the range of its damping law"
+        "contacts of slider_pin exceed the damping law: gap rates up to 1.5 times the approach speed v0 since t = 0.007822 s (4 contacts, 5% of"
     )
-    assert warning.startswith(
-        "25 of 25 impacts of slider_pin exceed the law's limit v0 <= 1e-5*sqrt(E/rho) = 0.0515 m/s"
-    )
+    assert warning.startswith("25 of 25 impacts of slider_pin exceed the law's limit of 0.0515 m/s (worst 4.39 m/s)")
     assert len(run.engine.advice) == 1
     run.save(tmp_path / "run.npz")
     assert type(run).load(tmp_path / "run.npz").engine.advice == run.engine.advice

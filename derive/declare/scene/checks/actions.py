@@ -85,5 +85,8 @@ def _seat_faults(scene: Scene) -> Iterator[Fault]:
     if wrong or not pairs:
         actual = f"seated with {', '.join(wrong)}" if wrong else "seated without a pair that has clearance"
         yield Fault(
-            "start", actual, expected, "Without seated=True journals start centred, other pairs as the start says."
+            "start",
+            actual,
+            expected,
+            "Omit seated=True: journals then start centred, other pairs where the start states, or all at rest by `--start equilibrium`.",
         )
