@@ -181,8 +181,8 @@ def test_an_altered_module_is_refused_unexecuted_with_the_command_that_regenerat
 def test_a_check_says_in_one_line_that_no_module_is_in_place(project):
     targets = "my_ball.py", "balls.py:light", "plant.scenes:heavy"
     told("derive", *targets, "--check")
-    said = told("derive", *targets, "--check", "--out", "gen", code=1).splitlines()
-    assert len(said) == 3
+    said = told("derive", *targets, "--check", "--out", "gen", code=1).replace("\n" + 14 * " ", " ").splitlines()
+    assert len(said) == 3  # labels; long lines go on below
     assert said[1].endswith(
         "light_ball: no module at gen/light_ball.py; write it with `hertzwerk derive balls.py:light --out gen`"
     )
