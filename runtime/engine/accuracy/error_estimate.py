@@ -284,7 +284,7 @@ class Ladder(Generic[Data]):
         self._runs, self._wall_s = 0, 0.0
         self._errors: list[tuple[float, float]] = []  # tolerances and errors
         self._foreseen = math.inf  # error expected of the least tolerance, where it is not tried
-        self._given_up: Rung[Data] | None = None  # that was to check the last run
+        self._abandoned_check: Rung[Data] | None = None  # that was to check the last run
         self._least = LEAST  # tolerance that is worth a run: by so much the start is off already, as it is rounded
 
     def search(self, tolerance: float) -> LadderResult[Data]:
@@ -324,7 +324,7 @@ class Ladder(Generic[Data]):
             if decision is Verdict.BEYOND and self._error(best) <= VALID:  # chance: the best run stays valid to its end
                 decision = Verdict.UNREACHABLE
             if decision is not None:
-                return self._result(best, decision, self._given_up if checked.last else None)
+                return self._result(best, decision, self._abandoned_check if checked.last else None)
             tolerance = max(run.tolerance * self._requested / (MARGIN * error), self._least)
 
     def _error(self, checked: _Checked[Data]) -> float:
@@ -347,7 +347,7 @@ class Ladder(Generic[Data]):
         near = self._make(run.tolerance * NEAR, (run, 1))
         if near.end is not End.REACHED:
             return [check]
-        self._given_up = check
+        self._abandoned_check = check
         return [check, near] if check.end is End.REACHED else [near]
 
     def _make(
