@@ -142,7 +142,7 @@ def _report_error(error: Exception) -> None:
 def line(label: str, text: str) -> None:
     """Print one line of a report, or several under one label; in a pipe, up to 100 columns."""
     width, room = line_wrapping.columns() or line_wrapping.PROSE, max(len(label), 12)
-    bound = re.sub(WHOLE, lambda part: part[0].replace(" ", NO_BREAK), text)
+    bound = WHOLE.sub(lambda part: part[0].replace(" ", NO_BREAK), text)
     first, *rest = line_wrapping.wrapped(bound, width - room - 2).replace(NO_BREAK, " ").split("\n")
     click.echo(f"{click.style(f'{label:<12}', fg=COLOURS.get(label))}  {first}".rstrip())
     for line in rest:

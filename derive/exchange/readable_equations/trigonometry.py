@@ -18,9 +18,14 @@ def contract_products(expression: Any, angle: Callable[[Any], Any]) -> Any:
     """
     if not expression.has(sp.sin, sp.cos):
         return expression
-    expression = expression.replace(
-        lambda node: node.is_Pow and node.base.is_Add, lambda node: contract_products(node.base, angle) ** node.exp
-    )
+    powers = expression.replace(
+        lambda node: node.is_Pow and node.base.is_Add, lambda node: _contracted(node.base, angle) ** node.exp
+    )  # from within
+    return _contracted(powers, angle)
+
+
+def _contracted(expression: Any, angle: Callable[[Any], Any]) -> Any:
+    """Contract the terms of a sum, and nothing within them."""
     parts = sp.Add.make_args(expression)
     turning = [part for part in parts if part.has(sp.sin, sp.cos)]
     terms = [_split(term) for part in turning for term in sp.Add.make_args(sp.expand(part))]

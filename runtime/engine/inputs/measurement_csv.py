@@ -98,12 +98,8 @@ class Measurement(Columns):
     def __post_init__(self) -> None:
         object.__setattr__(self, "times", _numbers(self.times))
         faults = self._column_faults(self.times.size, "times")
-        if (
-            self.times.ndim != 1
-            or self.times.size < 2
-            or not np.all(np.isfinite(self.times))
-            or np.any(np.diff(self.times) <= 0)
-        ):
+        times = self.times
+        if times.ndim != 1 or times.size < 2 or not np.all(np.isfinite(times)) or np.any(np.diff(times) <= 0):
             faults.append(Fault("times", shown(self.times), "two or more finite times, increasing"))
         refuse(str(self.source) or "measurement", faults)
 

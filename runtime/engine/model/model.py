@@ -12,6 +12,7 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.runtime.engine.model.binding import Declared, Port, Value, quantity_text, read_parameters
 from hertzwerk.runtime.engine.model.caller import Callers
@@ -330,6 +331,15 @@ class EngineModel:
         columns = self.expressions("landmarks", *symbols)
         whole = ca.Function("landmarks", symbols, [ca.densify(ca.vertcat(*columns))])
         return whole, np.cumsum([column.numel() for column in columns])[:-1]
+
+    def radii(self, p: np.ndarray) -> dict[str, list[float]]:
+        """Return the radii [m] of the surfaces of each pair that has such, in the order of its places."""
+        rows = self.module.LANDMARKS
+        return grouped(
+            (row[0], float(numbers[3]))  # behind the point
+            for row, numbers in zip(rows, self.landmarks(p) if rows else (), strict=True)
+            if row[4][:1] == ("radius",) and not row[1].startswith("solid_")  # of a body of this name
+        )
 
     def with_pieces(self, function: Any, constant: int) -> Any:
         """Return a function whose argument c, in a place, has the pieces of the inputs from one more argument.

@@ -243,9 +243,8 @@ def _follow(watches: Sequence[Watch], pieces: Sequence[Piece], j: int) -> None:
     leaves = np.append(np.flatnonzero(touched & ~touching), -1)  # the last: before these rows
     module, left = watches[0].model.module, leaves[:-1]
     if module.RELEASES[j] != "force" or any(pair == j for *_, pair in module.LATCHES):
-        left = left[
-            modes[left] == RELEASED
-        ]  # with an approach speed damping is a factor of the force, and vanishes with it
+        # with an approach speed damping is a factor of the force, and vanishes with it
+        left = left[modes[left] == RELEASED]
     if left.size:
         t[left] -= _since_released(pieces, starts, j, left, modes[left] == RELEASED)
     latest = leaves[np.searchsorted(leaves[:-1], ends + ~goes, side="right") - 1]

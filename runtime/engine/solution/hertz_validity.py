@@ -115,9 +115,8 @@ def _excess(check: str, impact: Impact, limit: float) -> float:
 
 def _limits(model: EngineModel, p: np.ndarray, lines: Mapping[str, bool]) -> dict[str, dict[str, float]]:
     """Return the known limits of each check by pair: force [N], penetration [m], duration [s]."""
-    kinds = dict(model.module.PAIRS)
+    kinds, radii = dict(model.module.PAIRS), model.radii(p)
     marks = list(zip(model.module.LANDMARKS, model.landmarks(p), strict=True))
-    radii = grouped((row[0], float(at[3])) for row, at in marks if row[4][:1] == ("radius",) and row[0] in lines)
     bodies = grouped((row[0], row[3]) for row, _ in marks if row[0] in lines)
     sizes = grouped((row[3], _longest(row[4], at)) for row, at in marks if row[1].startswith("solid_"))
     limits: dict[str, dict[str, float]] = {check: {} for check in WORDS}

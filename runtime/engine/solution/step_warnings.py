@@ -74,8 +74,7 @@ def wide_sectors(model: EngineModel, history: History) -> Iterator[str]:
         touching = history[f"{pair}.penetration"][1:] > 0 if count else np.zeros(0, bool)
         if not touching.any():
             continue
-        marks = zip(model.module.LANDMARKS, model.landmarks(history.p), strict=True)
-        inner, outer = (float(at[3]) for row, at in marks if row[0] == pair and row[4][:1] == ("radius",))
+        inner, outer = model.radii(history.p)[pair]
         depth, weights = history[f"{pair}.penetration"][1:][touching], np.diff(history[f"{wear}.load_path"])[touching]
         product = inner * outer  # relative curvature times the difference of the radii
         square = np.full(len(depth), inner**2)

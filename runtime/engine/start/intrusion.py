@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.runtime.engine.start.pair_values import pair_values, values_by_kind
 
 if TYPE_CHECKING:
@@ -111,15 +110,9 @@ def _sizes(model: EngineModel, bound: BoundParameters) -> dict[str, float]:
 
     That is the clearance, or half the smaller radius.
     """
-    rows = model.module.LANDMARKS
-    radii = grouped(
-        (row[0], float(place[3]))  # behind the point
-        for row, place in zip(rows, model.landmarks(bound.p) if rows else (), strict=True)
-        if row[4][:1] == ("radius",) and not row[1].startswith("solid_")  # of a body of this name
-    )
     return {
         name: abs(of[0] - of[1]) if name in model.journals and len(of) == 2 else min(of) / 2
-        for name, of in radii.items()
+        for name, of in model.radii(bound.p).items()
     }
 
 

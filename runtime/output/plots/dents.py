@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hertzwerk.runtime.engine.run.continuation import parameters_of
 from hertzwerk.runtime.output.plots.picture_samples import end_of
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
@@ -20,13 +19,11 @@ DRAWN, SHOWN, MARGIN = 6, 0.08, 1.4  # dents; deepest as shown and half of the w
 
 
 def dents_of(run: EngineSolution, pair: str) -> list[tuple[float, float]]:
-    """Depth and half-width [m] of the dents that the first impacts leave, in their order."""
-    if f"{pair}.dent" not in run:
+    """Depth and half-width [m] of the dents of the first impacts, in their order; none of a saved run."""
+    p, dents = run.engine.history.p, []
+    if p is None or f"{pair}.dent" not in run:
         return []
-    model, dents = run.engine.model, []
-    sizes = model.landmarks(model.bind(parameters_of(run, model)).p)
-    marks = zip(model.module.LANDMARKS, sizes, strict=True)
-    curvature = sum(1 / float(at[3]) for row, at in marks if row[0] == pair and row[4][:1] == ("radius",))
+    curvature = sum(1 / radius for radius in run.engine.model.radii(p).get(pair, ()))
     for impact in (each for each in run.impacts if each.contact == pair and curvature):
         rows = (run.t >= impact.t) & (run.t <= end_of(impact, run))
         depth = float(np.max(run[f"{pair}.dent"][rows], initial=0))

@@ -8,7 +8,6 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from hertzwerk.runtime.engine.run.continuation import parameters_of
 from hertzwerk.runtime.output.plots.arrangement import Arrangement
 from hertzwerk.runtime.output.plots.curves import Curves
 from hertzwerk.runtime.output.plots.plot_panel import caption, over_time
@@ -88,37 +87,26 @@ def _around(axis: Axes, run: EngineSolution, wear: str, lines: dict[str, Array],
     axis.set(aspect="equal", xticks=[], yticks=[], xlim=(-1.35, 1.35), ylim=(-1.35, 1.35))
     axis.grid(visible=False)
     axis.spines[:].set_visible(False)
-    factor = SHOWN * _radius(run, wear) / deepest
-    axis.set_title(f"Contours at {of.shape[1]} instants, depth enlarged {float(f'{factor:.2g}'):.6g} times")
+    title, model, p = f"Contours at {of.shape[1]} instants, depth enlarged", run.engine.model, run.engine.history.p
+    if p is not None:  # of a saved run sizes are not known
+        _, bush = next(model.radii(p)[pair] for pair, name in model.effects_at_pairs("wear").items() if name == wear)
+        title += f" {float(f'{SHOWN * bush / deepest:.2g}'):.6g} times"
+    axis.set_title(title)
     axis.legend(loc="center")
 
 
 def _unrolled(axis: Axes, lines: dict[str, Array], *, track: bool) -> None:
     """Draw the depth over the angle or, downwards, along the track, one line for each instant."""
     scale = scale_of("m", max(float(of.max()) for of in lines.values()))
+    places = ANGLES / (2 * np.pi) - 0.5 if track else np.degrees(ANGLES)
     for name, of in lines.items():
         for i, depth in enumerate(of.T):
             share = (i + 1) / of.shape[1]
-            axis.plot(
-                ANGLES / (2 * np.pi) - 0.5 if track else np.degrees(ANGLES),
-                scale(depth),
-                color=COLOURS[name],
-                alpha=0.2 + 0.8 * share**2,
-            )
-    if track:
-        axis.set(xlim=(-0.5, 0.5), xlabel="position along the track, from the plane's place, over its length")
-    else:
-        axis.set(xticks=np.arange(0, 361, 60), xlim=(0, 360), xlabel="angle in the surface's own axes [degree]")
+            axis.plot(places, scale(depth), color=COLOURS[name], alpha=0.2 + 0.8 * share**2)
     axis.set_ylim(bottom=0)
     if track:
+        axis.set(xlim=(-0.5, 0.5), xlabel="position along the track, from the plane's place, over its length")
         axis.invert_yaxis()
+    else:
+        axis.set(xticks=np.arange(0, 361, 60), xlim=(0, 360), xlabel="angle in the surface's own axes [degree]")
     axis.set_title(f"Depth [{scale.unit}]")
-
-
-def _radius(run: EngineSolution, wear: str) -> float:
-    """Radius of the bush [m]."""
-    model = run.engine.model
-    worn = next(pair for pair, name in model.effects_at_pairs("wear").items() if name == wear)
-    sizes = model.landmarks(model.bind(parameters_of(run, model)).p)
-    rows = zip(model.module.LANDMARKS, sizes, strict=True)
-    return next(float(size[3]) for (pair, _, place, *_), size in rows if place == "bush" and pair == worn)

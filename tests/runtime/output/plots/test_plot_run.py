@@ -10,7 +10,7 @@ from matplotlib.patches import Circle
 
 import hertzwerk.derive as hd
 from hertzwerk.derive.laws import coulomb, power
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.engine.model.build import scene_from
 from hertzwerk.runtime.engine.solution.solution import EngineRun
 from hertzwerk.runtime.output.plots import curves
@@ -169,7 +169,7 @@ def test_an_overview_shows_friction_in_joints_and_names_whose_work_it_draws():
     assert "drives" not in shown
 
 
-def test_the_page_of_a_wear_has_its_contours():
+def test_the_page_of_a_wear_has_its_contours(tmp_path):
     """Between the sectors the contour is that of the gap: the clearance in the direction of the pin, and the depth there."""
     run = simulate("worn_slider_crank", duration="2 ms", tolerance=1e-7, parameters={"repetitions": (1e5, "1")})
     surfaces = worn_surfaces(run, "wear")
@@ -188,9 +188,11 @@ def test_the_page_of_a_wear_has_its_contours():
     assert "depth enlarged" in contours.get_title(loc="left")
     assert len(contours.lines) == 2 * (1 + INSTANTS) and len(unrolled.lines) == 2 * INSTANTS
     assert volume.lines[0].get_ydata()[-1] == pytest.approx(run["wear.volume"][-1] * 1e9)
+    saved = Solution.load(run.save(tmp_path / "run.npz"))
+    assert len(saved.plot("wear").axes) == 3  # without the factor, as it holds no sizes
 
 
-def test_the_page_of_a_contact_that_yields_has_its_dents():
+def test_the_page_of_a_contact_that_yields_has_its_dents(tmp_path):
     """To scale: the cap of the first dent is as deep as its history, and as wide as the contact was."""
     run = simulate("yielding_ball", duration="0.8 s", tolerance=1e-7, compiled=False)
     (depth, half), second = dents_of(run, "floor")
@@ -200,4 +202,6 @@ def test_the_page_of_a_contact_that_yields_has_its_dents():
     factor = float(axis.get_title(loc="left").split(" times")[0].split()[-1])
     x, y = axis.lines[0].get_data()
     assert (x[-1], -y.min()) == pytest.approx((1e3 * half, 1e3 * factor * depth), rel=1e-9)
+    saved = Solution.load(run.save(tmp_path / "run.npz"))
+    assert dents_of(saved, "floor") == [] and saved.plot("floor").axes  # without sizes no widths
     assert dents_of(simulate("yielding_ball", duration="0.2 s", tolerance=1e-7, compiled=False), "floor") == []
