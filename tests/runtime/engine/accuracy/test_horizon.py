@@ -58,21 +58,14 @@ def test_growth_in_a_few_intervals_that_others_take_back_is_intermittent():
     assert not of(1e-8 * np.exp(T)).intermittent
 
 
-def test_errors_that_are_saturated_do_not_hide_the_growth_before():
+def test_neither_saturation_nor_the_floor_is_taken_for_growth():
     actual = of(np.minimum(1e-5 * np.exp(4 * T), 1.0))
     assert actual.rate == pytest.approx(4.0, rel=1e-3)
     assert of(np.full(len(T), 2 * SATURATED)).kind == "unknown"
-
-
-def test_errors_below_the_floor_tell_nothing_until_they_rise_above_it():
     floor = np.full(len(T), 1e-10)
     assert of(np.full(len(T), 2e-10), floor=floor).kind == "unknown"
     risen = 1e-13 * np.exp(4 * T)
     assert of(np.maximum(risen, 1e-10), floor=floor).rate == pytest.approx(4.0, rel=1e-3)
-
-
-def test_errors_that_sink_into_the_floor_shrink():
-    floor = np.full(len(T), 1e-10)
     actual = of(np.maximum(1e-6 * np.exp(-4 * T), 1e-11), floor=floor)
     assert actual.kind == "none"
     assert actual.rate < -1

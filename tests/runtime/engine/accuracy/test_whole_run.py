@@ -31,7 +31,7 @@ def by_search(apart, rates, pace):
     return sizes.min()
 
 
-def test_the_distance_is_the_least_over_shifts_in_time():
+def test_the_distance_is_the_least_over_shifts_in_time_that_count_by_their_own_scale():
     draw = np.random.default_rng(1)
     for _ in range(100):
         n = draw.integers(1, 6)
@@ -40,9 +40,6 @@ def test_the_distance_is_the_least_over_shifts_in_time():
         actual, shift = distance(apart, rates, pace)
         assert actual == pytest.approx(by_search(apart, rates, pace), rel=1e-6)
         assert max(pace * abs(shift), np.abs(apart - rates * shift).max()) == pytest.approx(actual, rel=1e-6)
-
-
-def test_a_shift_counts_by_its_own_scale_and_not_by_how_fast_the_state_changes():
     rates, pace, late = np.array([1.0, 1e6]), 10.0, 1e-9  # in an impact the speed changes by its scale in a microsecond
     assert distance(rates * late, rates, pace)[0] == pytest.approx(pace * late, rel=1e-4)
     assert distance(np.array([1e-3, 0.0]), rates, pace)[0] > 0.9e-3  # what no shift explains counts in full
@@ -166,6 +163,18 @@ def test_extremes_are_found_within_the_steps_as_a_sweep_finds_them():
         run.extremes("slider_pin.normal_forc")
 
 
+def met_within_steps(model, asked, methods, parts, **options):
+    """Check that the error at these parts of the steps, against a run by another method, is below the request and seen."""
+    run = simulate(model, accuracy=asked, method=methods[0], compiled=False, **options)
+    truth = simulate(model, tolerance=1e-13, method=methods[1], compiled=False, **options)
+    times = np.unique(np.concatenate([run.t[:-1] + part * np.diff(run.t) for part in parts]))
+    states = (side.part(name) for name in ("y", "dy") for side in (run.at(times), truth.at(times)))
+    true = error(model, run.engine.scales, *states).max()
+    assert run.outcome.finished
+    assert true <= asked
+    assert true <= 3 * run.error.worst
+
+
 @pytest.mark.parametrize(
     ("asked", "duration", "sizes"),
     [(1e-3, 1.1155945691947136e-3, (1.65767217, 1.1268926, 0.60793)), (1e-5, 8.752949356809732e-4, (1.07636913, 2.5098988, 0.56774569)),
@@ -178,29 +187,15 @@ def test_where_friction_turns_round_within_a_step_the_error_is_seen(asked, durat
     """
     units = {"clearance": "mm", "friction_speed": "mm/s", "friction_coefficient": "1"}
     given = {name: f"{size!r} {unit}" for (name, unit), size in zip(units.items(), sizes, strict=True)}
-    crank = engine_model("slider_crank")
-    run = simulate(crank, duration=duration, accuracy=asked, method="dop853", parameters=given, compiled=False)
-    truth = simulate(crank, duration=duration, tolerance=1e-13, method="dopri5", parameters=given, compiled=False)
-    times = np.unique(np.concatenate([run.t[:-1] + part * np.diff(run.t) for part in (0, 0.4, 0.8)]))
-    states = (side.part(name) for name in ("y", "dy") for side in (run.at(times), truth.at(times)))
-    true = error(crank, run.engine.scales, *states).max()
-    assert run.outcome.finished
-    assert true <= asked
-    assert true <= 3 * run.error.worst
+    options = {"duration": duration, "parameters": given}
+    met_within_steps(engine_model("slider_crank"), asked, ("dop853", "dopri5"), (0, 0.4, 0.8), **options)
 
 
 def test_a_step_over_a_turn_is_compared_as_often_as_its_dense_output_may_bend():
     """dopri5 takes one step over the turn of tanh(v/10 mm/s), after 70 % of which it is off most. On the old code 1.35 times over."""
-    requested, options = 1e-2, {"duration": 5, "parameters": {"v0": "1 m/s"}, "compiled": False}
     rubbed = point(None, push=lambda t, x, v: 2 * ca.cos(3 * t) - 0.8 * ca.tanh(v / 1e-2))
-    run = simulate(rubbed, accuracy=requested, method="dopri5", **options)
-    truth = simulate(rubbed, tolerance=1e-13, method="dop853", **options)
-    times = np.unique(np.concatenate([run.t[:-1] + part * np.diff(run.t) for part in np.arange(0, 1, 0.05)]))
-    states = (side.part(name) for name in ("y", "dy") for side in (run.at(times), truth.at(times)))
-    true = error(rubbed, run.engine.scales, *states).max()
-    assert run.outcome.finished
-    assert true <= requested
-    assert true <= 3 * run.error.worst
+    options = {"duration": 5, "parameters": {"v0": "1 m/s"}}
+    met_within_steps(rubbed, 1e-2, ("dopri5", "dop853"), np.arange(0, 1, 0.05), **options)
 
 
 @pytest.mark.parametrize("method", ["auto", "esdirk"])

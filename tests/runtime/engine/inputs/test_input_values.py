@@ -34,7 +34,7 @@ def test_a_constant(value):
     assert signal(value)(np.array([0.0, 1e9])) == pytest.approx([3.0, 3.0], rel=1e-15)
 
 
-def test_samples_are_held_joined_or_a_spline():
+def test_samples_are_held_joined_or_a_spline_and_tables_are_joined():
     t = np.linspace(0, 2, 1001)
     np.testing.assert_allclose(signal((TIMES, VALUES))(t), np.interp(t, TIMES, VALUES), rtol=0, atol=1e-14)
     held = signal(Samples(1e3 * TIMES, 1e-3 * VALUES, ("ms", "kN"), "held"))
@@ -42,14 +42,8 @@ def test_samples_are_held_joined_or_a_spline():
     assert held.end == 3.5  # the last one as long as the one before
     cubic = signal(Samples(t, np.sin(3 * t), ("s", "N"), "cubic"))
     np.testing.assert_allclose(cubic(t[:-1] + 1e-3), np.sin(3 * (t[:-1] + 1e-3)), rtol=0, atol=1e-11)
-
-
-def test_a_value_that_is_held_on_ends_no_step():
     held = signal(Samples(range(6), (1, 1, 1, 2, 2, 3), ("s", "N"), "held"))
     assert list(held.begins) == [0, 3, 5]
-
-
-def test_a_table_of_the_time():
     table = Table("lift", (0, 1000, 2000), (0, 1, 0), ("ms", "kN"))
     assert signal(table)(np.array([0.0, 1.0, 2.0])) == pytest.approx([0, 1000, 0], abs=1e-9)
 
@@ -84,7 +78,7 @@ def test_a_function_that_cannot_be_resolved_is_refused(monkeypatch):
     assert "nan at t" in refused(lambda t: math.nan)
 
 
-def test_a_column_of_a_file(tmp_path):
+def test_a_column_of_a_file_is_read_with_the_arguments_behind_its_name(tmp_path, monkeypatch):
     path = tmp_path / "bench.csv"
     path.write_text("time [ms],load [kN],other [m]\n0,1,0\n300,-2,0\n400,nan,0\n500,4,0\n2000,0,0\n")
     t = np.linspace(0, 2, 1001)
@@ -92,10 +86,6 @@ def test_a_column_of_a_file(tmp_path):
     assert signal(f"{path}:load:held")(np.array([0.29])) == pytest.approx([1000])
     assert "no column of this name" in refused(f"{path}:force") and "values in N" in refused(f"{path}:other")
     assert "one of linear, held, cubic" in refused(f"{path}:load:bent") and "no such file" in refused("none.csv:load")
-
-
-def test_a_file_is_read_with_the_arguments_behind_its_name(tmp_path, monkeypatch):
-    path = tmp_path / "bench.csv"
     path.write_text("made by hand\nZeit;1.5;CH 2\n0;15;1,234\n300;25;-999\n2000;35;2,345\n")
     text = (
         f"{path}?skip=1&decimal=,&units.time=ms&columns.time=1&units.load=kN&columns.load=CH 2&missing=-999:load:held"
@@ -134,13 +124,17 @@ def test_faults_name_the_input_and_what_is_wrong(value, said):
     assert text.startswith(("input push", "table lift")) and said in text
 
 
-def test_a_run_reports_all_its_faults_at_once():
+def test_a_run_reports_all_its_faults_at_once_and_inputs_of_another_scene():
     given = {"psh": "3 N"}
     with pytest.raises(InputError) as error:
         simulate(shaken(), duration="2 s", inputs=given, parameters={"mass": "2 N"}, method="euler")
     text = str(error.value)
     assert "4 faults" in text and all(part in text for part in ("psh", "input push: found no value", "mass", "euler"))
     assert "of the shaker" in text
+    with pytest.raises(InputError, match="no input of this name"):
+        from hertzwerk.runtime.loading import engine_model
+
+        simulate(engine_model("soft_ball"), duration="1 ms", inputs={"push": "3 N"})
 
 
 @pytest.mark.parametrize("times", [(0.0, 1.9), (0.1, 2.0)])
@@ -149,27 +143,17 @@ def test_values_that_do_not_cover_the_run_are_refused(times):
         simulate(shaken(), duration="2 s", inputs={"push": (times, (1, 2))})
 
 
-def test_an_input_of_another_scene_is_unknown():
-    with pytest.raises(InputError, match="no input of this name"):
-        from hertzwerk.runtime.loading import engine_model
-
-        simulate(engine_model("soft_ball"), duration="1 ms", inputs={"push": "3 N"})
-
-
-def test_pieces_of_several_inputs_change_at_the_breakpoints_of_all():
-    first, second = signal((TIMES, VALUES)), signal(Samples((-1, 0.4, 3), (1, 2, 3), ("s", "N"), "held"))
-    schedule = Schedule([first, second])
-    assert list(schedule.stops) == [0.0, 0.3, 0.4, 0.5, 3.0]
-    assert schedule.place(0.4) == 2 and schedule.stop(2, 0.45) == 0.45 and schedule.stop(4, 9.0) == 9.0
-    np.testing.assert_array_equal(schedule.pieces[2], [0.3, -2, 30, 0, 0, 0, 0, 0.4, 2, 0, 0, 0, 0, 0])
-
-
-def test_inputs_are_kept_by_the_model_that_has_them():
+def test_inputs_are_kept_by_the_model_that_has_them_in_pieces_with_the_breakpoints_of_all():
     model, faults = with_input_values(shaken(), {"push": "3 N"}, "1 s", {})
     assert not faults
     assert model.known is shaken().known  # what is built is shared
     assert simulate(model, duration="1 ms")["push"][-1] == 3
     assert simulate(model, duration="1 ms", inputs={"push": "4 N"})["push"][-1] == 4
+    first, second = signal((TIMES, VALUES)), signal(Samples((-1, 0.4, 3), (1, 2, 3), ("s", "N"), "held"))
+    schedule = Schedule([first, second])
+    assert list(schedule.stops) == [0.0, 0.3, 0.4, 0.5, 3.0]
+    assert schedule.place(0.4) == 2 and schedule.stop(2, 0.45) == 0.45 and schedule.stop(4, 9.0) == 9.0
+    np.testing.assert_array_equal(schedule.pieces[2], [0.3, -2, 30, 0, 0, 0, 0, 0.4, 2, 0, 0, 0, 0, 0])
 
 
 @pytest.mark.parametrize(("power", "smooth"), [(0, -1), (1, 0), (2, 1), (3, 2)])

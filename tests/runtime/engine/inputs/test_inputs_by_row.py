@@ -110,7 +110,7 @@ def test_sections_and_pictures_of_rows_that_choose(folder):
     assert [text.get_text() for text in drawn.axes[0].get_xticklabels()] == ["50 % calm", "gusty"]
 
 
-def test_many_runs_have_inputs_of_their_own():
+def test_many_runs_have_inputs_of_their_own_and_a_name_that_is_no_input_stays_a_value():
     sets = [{"push": (TIMES, LOADS["calm"])}, {"push": "2 N"}, {"push": (TIMES, LOADS["gusty"]), "push.scale": 0.5}, {}]
     table = simulate_many(shaken(), sets, inputs={"push": "1 N"}, duration="1 s", tolerance=1e-8, workers=1)
     assert table["push"].tolist()[:3] == ["samples", "2 N", "samples 2"]
@@ -119,6 +119,8 @@ def test_many_runs_have_inputs_of_their_own():
     assert table[TRAVEL] == pytest.approx(expected, rel=1e-12)
     bare = simulate_many(shaken(), [{"push": "2 N"}, {"damping": "1 N s/m"}], duration="1 s", tolerance=1e-8, workers=1)
     assert bare.counts() == {"finished": 1, "bad_input": 1} and "no value" in bare.rows[1].message
+    model, values = NO_CHOICES.of(shaken(), {"damping": "1 N s/m"})
+    assert model is shaken() and values == {"damping": "1 N s/m"}
 
 
 @pytest.mark.parametrize(
@@ -136,11 +138,6 @@ def test_many_runs_have_inputs_of_their_own():
 def test_bad_choices_are_reported_at_once(folder, over, message):
     with pytest.raises(InputError, match=message):
         sweep(shaken(), over, **HOW)
-
-
-def test_a_name_that_is_no_input_stays_a_value():
-    model, values = NO_CHOICES.of(shaken(), {"damping": "1 N s/m"})
-    assert model is shaken() and values == {"damping": "1 N s/m"}
 
 
 def test_effects_are_studied_under_an_input(folder):

@@ -56,7 +56,7 @@ def small_blocks(monkeypatch):
 
 @pytest.mark.by_turns(2)
 @pytest.mark.parametrize("case", CASES)
-def test_a_grid_holds_what_lies_between_the_steps_bitwise(case, small_blocks):
+def test_a_grid_holds_what_lies_between_the_steps_bitwise_and_changes_nothing_else(case, small_blocks):
     steps = run(case)
     grid = run(case, grid=101)
     times = np.linspace(0, steps.settings.duration, 101)
@@ -65,13 +65,8 @@ def test_a_grid_holds_what_lies_between_the_steps_bitwise(case, small_blocks):
     assert list(grid) == list(steps)
     for name in grid:
         assert np.array_equal(grid[name], between[name]), name
-
-
-@pytest.mark.by_turns(2)
-@pytest.mark.parametrize("case", CASES)
-def test_a_grid_changes_nothing_else(case, small_blocks):
-    """Impacts, peaks, balance, choices found row by row are those found in all rows at once."""
-    steps, grid = run(case), run(case, grid=2)
+    # Impacts, peaks, balance, choices found row by row are those found in all rows at once.
+    grid = run(case, grid=2)
     assert len(grid.t) == 2
     assert grid.impacts == steps.impacts
     assert len(grid.impacts) > 0
@@ -113,7 +108,7 @@ def test_between_steps_the_error_falls_with_the_order_of_the_method(method, orde
     assert math.log2(errors[0] / errors[1]) > order + 0.5
 
 
-def test_at_the_time_of_an_event_a_grid_has_the_state_just_after_it():
+def test_at_the_time_of_an_event_a_grid_has_the_state_just_after_it_also_across_blocks():
     ball = built("bouncing_ball")
     steps = simulate(ball, duration="1 s", tolerance=1e-8)
     impact = steps.impacts[0]
@@ -121,10 +116,7 @@ def test_at_the_time_of_an_event_a_grid_has_the_state_just_after_it():
     grid = simulate(ball, duration="1 s", tolerance=1e-8, grid=times)
     assert list(grid["floor.mode"]) == [0, 1, 0, 0]
     assert np.array_equal(grid.engine.history.rows, steps.engine.history.rows[np.isin(steps.t, times)])
-
-
-def test_of_two_rows_at_one_time_a_grid_has_the_later_one_also_across_blocks():
-    """As SUNDIALS gives them where an event lies on a row."""
+    # As SUNDIALS gives them where an event lies on a row.
     history = simulate(built("bouncing_ball"), duration="1 s", tolerance=1e-6).engine.history
     onset = int(np.argmax(history["floor.mode"] == 1))
     before = history.rows[onset].copy()
@@ -192,7 +184,7 @@ def test_every_fault_of_a_grid_in_one_error(output, found):
         assert text in fault.found
 
 
-def test_a_run_that_stops_early_returns_the_points_it_reached():
+def test_a_run_that_stops_early_returns_the_points_it_reached_and_nothing_between_them():
     ball = built("bouncing_ball")
     steps, grid = (simulate(ball, duration="5 s", max_events=2, grid=output, tolerance=1e-6) for output in (None, 501))
     assert grid.outcome == steps.outcome
@@ -203,14 +195,22 @@ def test_a_run_that_stops_early_returns_the_points_it_reached():
     none = simulate(ball, duration="5 s", max_steps=1, grid=[4.0], tolerance=1e-6)
     assert len(none.t) == len(none["vertical.travel"]) == len(none["energy"]) == 0
     assert "too_many_steps" in str(none)
-
-
-def test_between_the_rows_of_a_grid_there_is_nothing_and_the_error_says_what_to_do():
     grid = simulate(built("soft_ball"), duration="1 s", grid=11, tolerance=1e-6)
     assert np.array_equal(grid.at(grid.t[[2, 5]])["vertical.travel"], grid["vertical.travel"][[2, 5]])
     for times in ([0.05], [2.0], [math.nan], [[0.1]]):
         with pytest.raises(ValueError, match=r"grid=times.*grid=None"):
             grid.at(times)
+    for output in (None, 11):
+        run = simulate(
+            built("bouncing_ball"),
+            duration="1 s",
+            grid=output,
+            initial={"vertical.travel": "-1e300 m"},
+            tolerance=1e-6,
+        )
+        assert run.outcome.name == "not_finite"
+        assert run.energy_residual is None
+        assert len(run.impacts) == len(run.t) == 1
 
 
 def test_ctrl_c_in_a_block_loses_no_observer_a_row(monkeypatch):
@@ -304,17 +304,3 @@ def test_memory_does_not_grow_with_the_run(name, compilers, monkeypatch):
     impacts, rows = long["impacts"] - short["impacts"], long["rows"] - short["rows"]
     assert long["peak_mb"] - short["peak_mb"] < 20 + (500 * impacts + 8 * 50 * rows) / 1e6
     assert long["peak_mb"] < 300
-
-
-def test_a_start_that_is_not_finite_ends_without_a_warning():
-    for output in (None, 11):
-        run = simulate(
-            built("bouncing_ball"),
-            duration="1 s",
-            grid=output,
-            initial={"vertical.travel": "-1e300 m"},
-            tolerance=1e-6,
-        )
-        assert run.outcome.name == "not_finite"
-        assert run.energy_residual is None
-        assert len(run.impacts) == len(run.t) == 1

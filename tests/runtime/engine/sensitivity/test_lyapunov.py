@@ -85,16 +85,13 @@ def test_lorenz_has_its_published_exponents_beside_a_block_that_follows_it():
     assert run.lyapunov().exponents[0].mean == pytest.approx(largest.mean, abs=2e-3)
 
 
-def test_at_a_saddle_they_are_the_eigenvalues():
+def test_at_a_saddle_they_are_the_eigenvalues_and_an_oscillator_has_no_positive_one():
     model = engine_model("pendulum")
     run = simulate(model, duration="8 s", tolerance=1e-13, initial={"hinge.angle": (math.pi, "rad")}, compiled=False)
     found = run.lyapunov(2)
     settled = found.local[120:].mean(axis=0)
     assert settled == pytest.approx([math.sqrt(9.81), -math.sqrt(9.81)], rel=1e-6)
-
-
-def test_an_oscillator_has_no_positive_exponent():
-    """Neighbours of an integrable motion part like its time."""
+    # Neighbours of an integrable motion part like its time.
     actual = simulate(engine_model("pendulum"), duration="60 s", tolerance=1e-10, compiled=False).lyapunov(2)
     assert actual.law.kind == "power"
     assert not actual.chaotic
@@ -173,15 +170,12 @@ def test_constraints_leave_the_exponents_of_the_motion():
     assert absolute.law.rate == pytest.approx(tree.law.rate, rel=0.3)
 
 
-def test_ledgers_are_no_part_of_the_motion():
+def test_ledgers_are_no_part_of_the_motion_and_no_more_exponents_than_it_has():
     assert lyapunovs.depended_on(engine_model("bouncing_ball")).sum() == 2
-
-
-@pytest.mark.parametrize("count", [0, 3, 1.5])
-def test_no_more_exponents_than_the_motion_has(count):
     run = simulate(engine_model("bouncing_ball"), duration="10 ms", tolerance=1e-6, compiled=False)
-    with pytest.raises(InputError, match="expected 1 to 2"):
-        run.lyapunov(count)
+    for count in (0, 3, 1.5):
+        with pytest.raises(InputError, match="expected 1 to 2"):
+            run.lyapunov(count)
 
 
 def test_the_spread_is_the_least_and_the_largest_rate_of_an_interval():

@@ -95,12 +95,9 @@ def test_a_hertz_impact_follows_its_power_laws():
 # -- differences of runs -----------------------------------------------------------------------------------------------
 
 
-def test_impacts_of_a_falling_ball(ball):
+def test_impacts_of_a_falling_ball_and_a_crank_with_clearance(ball, crank):
     compared(ball, ("restitution", "drop_height", "gravity", "vertical.travel"), ("vertical.travel", "vertical.speed"),
              duration="2 s", tolerance=1e-12)  # fmt: skip
-
-
-def test_a_crank_with_clearance(crank):
     compared(crank, ("restitution", "clearance", "friction_coefficient", "crank_radius", "guide.travel"),
              ("guide.travel", "crank_pin.speed", "slider_pin.dissipated"), step=1e-4, **CRANK)  # fmt: skip
 
@@ -345,7 +342,7 @@ def pair_of_balls():
     )
 
 
-def test_unknown_names_are_refused_at_once(ball):
+def test_names_and_runs_without_derivatives_are_refused(ball, tmp_path):
     run = made(ball, duration="0.1 s", tolerance=1e-9)
     with pytest.raises(InputError) as refused:
         run.sensitivities("restitutoin", "hight", "gravity")
@@ -354,9 +351,6 @@ def test_unknown_names_are_refused_at_once(ball):
         run.sensitivities()
     with pytest.raises(InputError, match="stiffness"):
         run.sensitivities("gravity")["vertical.travel", "stiffness"]
-
-
-def test_a_run_without_steps_or_start_says_so(ball, tmp_path):
     run = made(ball, duration="0.1 s", tolerance=1e-9, grid=[0.05])
     assert run.sensitivities("gravity").at(np.array([0.05]), "vertical.travel", "gravity")[0] == pytest.approx(
         -(0.05**2) / 2
@@ -368,7 +362,7 @@ def test_a_run_without_steps_or_start_says_so(ball, tmp_path):
         run.continued("0.2 s").sensitivities("gravity")
 
 
-def test_a_load_given_as_an_input_changes_nothing_itself():
+def test_a_load_by_an_input_changes_nothing_itself_and_an_infinite_derivative_ends_them():
     """A force F(t) held in pieces on a mass: x = double integral of F/m, so that dx/dm = -x/m."""
     mass = hd.Parameter("mass", "kg", 2.0)
     scene = hd.Scene(
@@ -381,10 +375,7 @@ def test_a_load_given_as_an_input_changes_nothing_itself():
     derivatives = run.sensitivities("mass")
     np.testing.assert_allclose(derivatives["slide.travel", "mass"], -run["slide.travel"] / 2, atol=1e-12)
     assert not derivatives["force", "mass"].any()
-
-
-def test_an_infinite_derivative_ends_them_and_says_where():
-    """A force like the root of the travel, which stays zero."""
+    # A force like the root of the travel, which stays zero.
     body, far = hd.Body("body", hd.Parameter("m", "kg", 1.0)), hd.Parameter("far", "m", 1.0)
     force = hd.Parameter("F", "N", 1.0) * sp.sqrt(hd.coordinate_of("rail") / far)
     declared = hd.Scene(

@@ -39,22 +39,29 @@ def test_an_interval_holds_the_mean_as_often_as_it_says(phi, n, low):
     assert known > 0.95
 
 
-def test_the_interval_of_thirty_values_is_student_s():
+def test_an_interval_follows_the_spread_of_its_blocks_or_there_is_none():
     """Of 30 values, 1 and -1 in turn: t s/sqrt(n) with t = 2.04523 of 29 degrees and s^2 = 30/29."""
     actual = estimate(np.resize([1.0, -1.0], 30))
     assert (actual.mean, actual.blocks) == (0, 30)
     assert actual.half_width == pytest.approx(2.04523 / np.sqrt(29), rel=1e-5)
+    actual = estimate(5 + 1e-7 * np.linspace(0, 1, 90))
+    assert actual.half_width == pytest.approx(1e-7 * 29 / 29.667, rel=1e-2)
+    assert actual.blocks == MOST
+    assert estimate(np.zeros(50)).half_width == 0
+    drifting = estimate(np.linspace(1, 2, 100))
+    assert (drifting.mean, drifting.half_width) == (pytest.approx(1.5), None)
+    assert "still correlated" in drifting.reason
+    short = estimate(np.array([1.0, 3.0, 2.0]))
+    assert (short.mean, short.half_width, short.blocks) == (2.0, None, 3)
+    assert str(FEWEST) in short.reason
 
 
-def test_blocks_that_are_not_joined_would_not():
+def test_ten_times_longer_is_root_ten_narrower_and_blocks_that_are_not_joined_would_be_too_narrow():
+    short, long = (np.mean([estimate(x).half_width for x in correlated(0.3, n, 100)]) for n in (400, 4000))
+    assert short / long == pytest.approx(np.sqrt(10), rel=0.1)
     series = correlated(0.6, 240)
     half_width = 1.96 * series.std(axis=1, ddof=1) / np.sqrt(series.shape[1])
     assert np.mean(np.abs(series.mean(axis=1)) <= half_width) < 0.75
-
-
-def test_ten_times_longer_is_root_ten_narrower():
-    short, long = (np.mean([estimate(x).half_width for x in correlated(0.3, n, 100)]) for n in (400, 4000))
-    assert short / long == pytest.approx(np.sqrt(10), rel=0.1)
 
 
 def test_a_mean_over_impacts_is_one_of_sums():
@@ -71,22 +78,6 @@ def test_a_mean_over_impacts_is_one_of_sums():
             holds.append(abs(actual.mean - 3.5) <= actual.half_width)
     assert len(holds) > 0.98 * SEEDS // 2
     assert 0.95 - 1.5 * ERROR < np.mean(holds) < 0.96 + 1.5 * ERROR
-
-
-def test_drifting_or_short_series_have_no_interval():
-    drifting = estimate(np.linspace(1, 2, 100))
-    assert (drifting.mean, drifting.half_width) == (pytest.approx(1.5), None)
-    assert "still correlated" in drifting.reason
-    short = estimate(np.array([1.0, 3.0, 2.0]))
-    assert (short.mean, short.half_width, short.blocks) == (2.0, None, 3)
-    assert str(FEWEST) in short.reason
-
-
-def test_the_interval_of_a_steady_series_follows_the_spread_of_its_blocks():
-    actual = estimate(5 + 1e-7 * np.linspace(0, 1, 90))
-    assert actual.half_width == pytest.approx(1e-7 * 29 / 29.667, rel=1e-2)
-    assert actual.blocks == MOST
-    assert estimate(np.zeros(50)).half_width == 0
 
 
 # -- exact means -------------------------------------------------------------------------------------------------------

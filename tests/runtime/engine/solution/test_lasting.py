@@ -111,16 +111,15 @@ def test_nothing_is_computed_beside_the_steps(monkeypatch):
     assert observer.contacts == run.engine.findings.lasting != ()
 
 
-def test_steps_are_followed_when_warnings_are_read():
+def test_lasting_contacts_are_those_of_a_grid_followed_when_read_and_none_without_v0():
+    kept, alone = pressed(), pressed(grid=2)
+    assert kept.engine.findings.lasting == alone.engine.findings.lasting != ()
     run = simulate(ball(), duration="1 ms", tolerance=1e-6, compiled=False)
     assert "lasting" not in vars(run.engine.findings)  # a third of a short run's time
     assert isinstance(run.warnings, tuple)
     assert "lasting" in vars(run.engine.findings)
-
-
-def test_it_is_the_same_of_steps_that_are_kept_and_of_those_that_are_not():
-    kept, alone = pressed(), pressed(grid=2)
-    assert kept.engine.findings.lasting == alone.engine.findings.lasting != ()
+    run = simulate(ball("tsuji"), duration="20 ms", tolerance=1e-7, compiled=False)
+    assert run.engine.findings.lasting == ()
 
 
 @pytest.mark.by_turns(4)
@@ -137,11 +136,6 @@ def test_a_ball_put_down_gently_leaves_every_law_with_v0_and_an_impact_none(damp
     assert hit.impacts[0].duration is not None
     assert hit.engine.findings.lasting == ()
     assert not any("exceed the damping law" in text for text in hit.warnings)
-
-
-def test_a_damping_without_v0_has_nothing_to_leave():
-    run = simulate(ball("tsuji"), duration="20 ms", tolerance=1e-7, compiled=False)
-    assert run.engine.findings.lasting == ()
 
 
 def test_the_flagship_says_since_when_and_how_much():

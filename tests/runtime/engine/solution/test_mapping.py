@@ -21,7 +21,7 @@ def run():
     return simulate(BALL, **SHORT, sensitivities=["mass"])
 
 
-def test_a_run_is_a_mapping_from_names_to_arrays(run):
+def test_a_run_is_a_mapping_from_names_to_arrays_and_compares_by_identity(run):
     for each in (run, run.engine.history, run.at([0.05, 0.06])):
         assert list(each) == list(each.keys()) == [name for name, _ in each.items()]
         assert len(each) == len(list(each)) == len(dict(each)) == len(list(each.values()))
@@ -31,13 +31,13 @@ def test_a_run_is_a_mapping_from_names_to_arrays(run):
         assert all(name not in each for name in ("vertical.travle", 3, None, ("vertical.travel", "mm")))
         assert each.get("no such name") is None
         assert np.array_equal(dict(each)["vertical.travel"], each["vertical.travel"])
-
-
-def test_runs_compare_by_identity(run):
     again = simulate(BALL, **SHORT)
     assert run == run
     assert run != again
     assert len({run, again, run}) == 2
+    listed, named = run.plot(["vertical.travel", "floor.gap"]), run.plot("vertical.travel", "floor.gap")
+    assert [axis.get_ylabel() for axis in listed.axes] == [axis.get_ylabel() for axis in named.axes]
+    assert len(listed.axes) == 2
 
 
 @pytest.mark.parametrize("key", [0, None, slice(3), ["vertical.travel"], ("a", "b", "c"), ("vertical.travel", 3), 1.5])
@@ -49,12 +49,6 @@ def test_an_unknown_name_lists_those_that_exist(run, key):
     ):
         with pytest.raises(KeyError, match=r"no history .*there are t, vertical\.travel"):
             request()
-
-
-def test_several_histories_are_drawn_by_a_list_as_by_their_names(run):
-    listed, named = run.plot(["vertical.travel", "floor.gap"]), run.plot("vertical.travel", "floor.gap")
-    assert [axis.get_ylabel() for axis in listed.axes] == [axis.get_ylabel() for axis in named.axes]
-    assert len(listed.axes) == 2
 
 
 def test_a_history_in_a_unit_of_ones_own(run):
@@ -115,22 +109,9 @@ def test_quantities_are_values_with_units(stiffness, text):
 
 def test_no_picture_of_an_object_is_its_address(run):
     things = [
-        *(
-            run,
-            run.engine.history,
-            run.at(0.05),
-            run.sensitivities(),
-            run.impacts,
-        ),
-        *(
-            run.statistics,
-            run.outcome,
-            run.engine.findings,
-            run.engine.model,
-            Model(run.engine.model).histories,
-            run.engine.model.bind(),
-            run.averages(),
-        ),
+        *(run, run.engine.history, run.at(0.05), run.sensitivities(), run.impacts, run.statistics, run.outcome),
+        *(run.engine.findings, run.engine.model, Model(run.engine.model).histories, run.engine.model.bind()),
+        run.averages(),
         *(equilibrium(BALL), modes(BALL), Normal("1 m", "1 mm"), sweep(BALL, {"mass": ["1 kg"]}, **SHORT, workers=1)),
     ]
     assert [repr(thing) for thing in things if " at 0x" in repr(thing)] == []

@@ -84,14 +84,11 @@ def test_a_fast_impact_warns_once_of_all_limits_with_the_ways_out():
     assert not any("exceed the law's limit" in text for text in run.warnings)  # which the onset of yield replaces
 
 
-def test_without_a_yield_strength_the_check_says_so_and_no_warning_does():
+def test_without_a_yield_strength_none_is_checked_and_waves_cross_the_longest_solid():
     run, checks = impact(1.0, strength=False)
     assert str(checks["yield"]) == "yield of floor not checked: no yield strength"
     assert not any("yield strength" in text for text in run.warnings)
     assert any("exceed the law's limit" in text for text in run.warnings)
-
-
-def test_the_longest_solid_of_a_body_is_what_waves_cross():
     assert impact(1.0, solid=True)[1]["waves"].limit == pytest.approx(10 * impact(1.0)[1]["waves"].limit)
 
 

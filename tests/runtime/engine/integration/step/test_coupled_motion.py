@@ -68,7 +68,7 @@ def test_a_geared_pair_has_the_inertia_of_both(coordinates):
 
 
 @pytest.mark.parametrize("coordinates", BOTH)
-def test_an_offset_and_a_start_are_kept(coordinates):
+def test_an_offset_and_a_start_are_kept_and_a_coupling_stated_twice_holds_once(coordinates):
     """One angle and one speed are given, of different shafts; the others follow."""
     offset, given, turned = (
         hd.Parameter("offset", "deg", 30),
@@ -80,13 +80,22 @@ def test_an_offset_and_a_start_are_kept(coordinates):
     assert actual["pinion.angle"][0] == pytest.approx(-0.9 + np.pi / 6, abs=1e-12)
     assert actual["wheel.speed"][0] == pytest.approx(-0.2, abs=1e-12)
     assert actual["pinion.angle"] == pytest.approx(-3 * actual["wheel.angle"] + np.pi / 6, abs=EXACT)
+    actual = run(gears(MOTOR, MESH, hd.Coupling("again", "wheel", "pinion", 1 / ratio)), coordinates)
+    at_rate(actual, "wheel.speed", 2.0 / 0.65)
+    assert any("mesh.moment, again.moment" in warning for warning in actual.warnings)
 
 
-def test_a_start_that_contradicts_names_both_coordinates():
+def test_couplings_that_contradict_each_other_or_the_start_are_refused():
     given = {"wheel": hd.Parameter("one", "rad", 0.3), "pinion": hd.Parameter("other", "rad", 0.3)}
     with pytest.raises(hd.InputError, match=r"mesh off by 1\.2 rad; expected .*couplings that hold") as error:
         run(gears(MOTOR, MESH, position=given))
     assert "stated: wheel.angle, pinion.angle" in error.value.faults[0].remedy
+    # Another ratio by a part in a thousand: the pen cannot be where its guide and its rim want it.
+    with pytest.raises(hd.InputError, match=r"over-determined .*ring off by 0\.0"):
+        run(pen(-2.002))
+    other = replace(MESH, name="other", offset=hd.Parameter("offset", "rad", 0.1))
+    with pytest.raises(hd.InputError, match=r"mesh off by 0\.05 rad, other off by 0\.05 rad"):
+        run(gears(MOTOR, MESH, other))
 
 
 @pytest.mark.parametrize("coordinates", BOTH)
@@ -186,12 +195,6 @@ def test_cardan_circles_draw_a_line(coordinates):
     assert any("tip.force_y, ring.moment" in warning for warning in actual.warnings)
 
 
-def test_circles_that_draw_no_line_lock():
-    """Another ratio by a part in a thousand: the pen cannot be where its guide and its rim want it."""
-    with pytest.raises(hd.InputError, match=r"over-determined .*ring off by 0\.0"):
-        run(pen(-2.002))
-
-
 @pytest.mark.parametrize("coordinates", BOTH)
 def test_a_rack_hits_a_stop_with_the_inertia_of_its_pinion(coordinates):
     """Free fall of m + J/r^2 by m g, then Hertz' spring: its depth from the energy of both, gravity's on the way in too."""
@@ -254,19 +257,6 @@ def test_time_in_an_equation_puts_work_in(coordinates):
 
 
 # -- couplings that say the same, or the contrary ----------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("coordinates", BOTH)
-def test_a_coupling_stated_twice_holds_once(coordinates):
-    actual = run(gears(MOTOR, MESH, hd.Coupling("again", "wheel", "pinion", 1 / ratio)), coordinates)
-    at_rate(actual, "wheel.speed", 2.0 / 0.65)
-    assert any("mesh.moment, again.moment" in warning for warning in actual.warnings)
-
-
-def test_couplings_that_contradict_are_refused():
-    other = replace(MESH, name="other", offset=hd.Parameter("offset", "rad", 0.1))
-    with pytest.raises(hd.InputError, match=r"mesh off by 0\.05 rad, other off by 0\.05 rad"):
-        run(gears(MOTOR, MESH, other))
 
 
 def test_couplings_of_two_ratios_lock():

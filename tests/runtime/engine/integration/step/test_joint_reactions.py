@@ -92,16 +92,7 @@ def guide(*, inertia=0.01, **start):
     return hd.Scene(mechanism, effects, SCALES, hd.Start(speed={"slide": p("v0", "m/s", 1)}))
 
 
-def test_the_time_at_which_a_guide_locks_is_reported():
-    """Friction grows with the speed over v_s: a push brings the guide to where mu tanh(v/v_s) = length/(2 arm)."""
-    bound, mu, v_s, push = LENGTH / (2 * ARM), 0.3, 0.5, 40.0
-    values = {"mu": mu, "v_s": (v_s, "m/s"), "push": (push, "N"), "v0": (0, "m/s")}
-    run = simulate(load(guide()), duration=2.0, tolerance=1e-9, parameters=values)
-    assert run.outcome.name == "friction_locks"
-    assert run["slide.speed"][-1] == pytest.approx(v_s * np.arctanh(bound / mu), rel=0.1)
-
-
-def test_pads_share_force_and_moment():
+def test_pads_share_force_and_moment_and_the_time_at_which_a_guide_locks_is_reported():
     """A push at the guide turns the block about its centre: pads press with m g/2 and (push - friction) arm/length."""
     run = simulate(
         load(guide()), duration=0.01, tolerance=1e-9, parameters={"mu": 0.1, "push": (10, "N"), "v0": (1, "m/s")}
@@ -110,6 +101,12 @@ def test_pads_share_force_and_moment():
     brakes, *_ = (-x for x in run["friction.force"])
     lift = (10 - brakes) * ARM / LENGTH
     assert brakes == pytest.approx(0.1 * (abs(weight / 2 + lift) + abs(weight / 2 - lift)), rel=1e-9)
+    # Friction grows with the speed over v_s: a push brings the guide to where mu tanh(v/v_s) = length/(2 arm).
+    bound, mu, v_s, push = LENGTH / (2 * ARM), 0.3, 0.5, 40.0
+    values = {"mu": mu, "v_s": (v_s, "m/s"), "push": (push, "N"), "v0": (0, "m/s")}
+    run = simulate(load(guide()), duration=2.0, tolerance=1e-9, parameters=values)
+    assert run.outcome.name == "friction_locks"
+    assert run["slide.speed"][-1] == pytest.approx(v_s * np.arctanh(bound / mu), rel=0.1)
 
 
 def test_friction_in_a_driven_joint_loads_its_drive():
@@ -152,11 +149,15 @@ def test_a_brake_by_a_normal_force(coordinates):
     assert run.energy_residual < 1e-7
 
 
-def test_rest_under_loads_by_reactions():
+def test_rest_and_small_vibrations_under_loads_by_reactions():
     """A torque of a tenth of the reaction holds the pendulum at m g l sin(angle) = 0.1 r N with N = m g."""
     torque = p("mu", "1", MU) * radius * hd.reaction_of("hinge")
     rest = equilibrium(load(pendulum(hd.JointForce("bearing", "hinge", torque), lift=0.01)))
     assert rest["hinge.angle"][0] == pytest.approx(np.arcsin(MU * R / L), rel=1e-8)
+    # Small vibrations in a journal: the smoothed law damps with c = mu r^2 m g/v_s, as `modes` finds.
+    actual = modes(load(pendulum(lift=0)), parameters={"mu": 1e-3})
+    stiffness, inertia, damping = M * G * L, J + M * L**2, 1e-3 * R**2 * M * G / V_S
+    assert actual.damping_ratios[0] == pytest.approx(damping / (2 * np.sqrt(stiffness * inertia)), rel=1e-9)
 
 
 def test_undefined_reactions_are_refused_at_once():
@@ -236,10 +237,3 @@ def test_a_guide_in_a_turning_body():
     assert run.energy_residual < 1e-9
     with pytest.raises(hd.InputError, match="guide on a moving body"):
         load(scene.with_coordinates("absolute"))
-
-
-def test_a_journal_damps_small_vibrations():
-    """Small vibrations in a journal: the smoothed law damps with c = mu r^2 m g/v_s, as `modes` finds."""
-    actual = modes(load(pendulum(lift=0)), parameters={"mu": 1e-3})
-    stiffness, inertia, damping = M * G * L, J + M * L**2, 1e-3 * R**2 * M * G / V_S
-    assert actual.damping_ratios[0] == pytest.approx(damping / (2 * np.sqrt(stiffness * inertia)), rel=1e-9)
