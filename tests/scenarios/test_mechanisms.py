@@ -3,7 +3,6 @@
 from dataclasses import replace
 from functools import cache
 
-import mpmath
 import numpy as np
 import pytest
 from scipy.optimize import brentq
@@ -15,24 +14,6 @@ from hertzwerk.runtime.loading import engine_model
 from reference import flights
 
 model = cache(engine_model)
-
-
-# ---- pendulums -------------------------------------------------------------------------------------------------------
-
-
-def swing(t: float) -> float:
-    """Angle of a pendulum of 1 m let go at -90 degrees: sin(angle/2) = -k cd(w t, k)."""
-    with mpmath.workdps(30):
-        m, w = mpmath.sin(mpmath.pi / 4) ** 2, mpmath.sqrt(mpmath.mpf("9.81"))
-        return float(-2 * mpmath.asin(mpmath.sqrt(m) * mpmath.ellipfun("cd", w * mpmath.mpf(t), m=m)))
-
-
-@pytest.mark.parametrize(("method", "tolerance"), [("dop853", 1e-12), ("dopri5", 1e-12), ("auto", 1e-12)])
-def test_a01_against_its_closed_form(method, tolerance):
-    run = simulate(model("pendulum"), duration=10.0, tolerance=tolerance, method=method)
-    times = np.linspace(0, 10, 201)
-    assert run.at(times)["hinge.angle"] == pytest.approx([swing(t) for t in times], abs=1e-9)
-    assert np.ptp(run["hinge.angle"]) > 3.1
 
 
 # ---- the governor ----------------------------------------------------------------------------------------------------
@@ -237,28 +218,3 @@ def test_no_pin_leaves_its_bush_and_no_energy_goes_missing(name):
     for entry in run.engine.model.memory:
         if entry.endswith(".dissipated"):
             assert np.min(np.diff(run[entry])) > -1e-9 * run[entry][-1]
-
-
-def ideal_slider(t, w, r=0.05, l=0.12):
-    return r * np.cos(w * t) + np.sqrt(l**2 - (r * np.sin(w * t)) ** 2)
-
-
-@pytest.mark.parametrize(
-    ("name", "clearances"), [("slider_crank_two_clearances", 2), ("slider_crank_three_clearances", 3)]
-)
-def test_the_slider_strays_by_its_clearances(name, clearances):
-    """From r cos + sqrt(l^2 - r^2 sin^2) by no more than all clearances in a row, seen along a rod that leans by up to asin(r/l)."""
-    for clearance in (0.5e-3, 0.05e-3):
-        run = simulate(
-            model(name), duration=TURN[name], tolerance=1e-7, parameters={"clearance": f"{clearance * 1e3} mm"}
-        )
-        away = np.max(np.abs(run["guide.travel"] - ideal_slider(run.t, 5000 * 2 * np.pi / 60)))
-        assert clearance < away < clearances * (clearance + 0.1e-3) / np.sqrt(1 - (5 / 12) ** 2)
-
-
-def test_the_rocker_follows_the_law_of_cosines_within_its_clearance():
-    run = simulate(model("four_bar_clearance"), duration=0.06, tolerance=1e-7)
-    w, base, k = 1000 * 2 * np.pi / 60, 0.13, 0.10
-    ideal = [np.angle(flights.intersection(0.05 * np.exp(1j * w * t), 0.12, k, base) - base) for t in run.t]
-    away = k * np.max(np.abs(run["rocker_bearing.angle"] - ideal))
-    assert 0.25e-3 < away < 1.6e-3  # the pins' distance, over the sine of the angle between coupler and rocker

@@ -32,44 +32,32 @@ def named(matrix, letter, rate=""):
     return tuple(tuple(entry[i, j] for j in range(6)) for i in range(6))
 
 
-def floating(*effects, **start):
+BODY = hd.Body(
+    "body", p("mass", "kg", MASS), inertia=tuple(p(f"J_{k}", "kg m^2", j) for k, j in zip("xyz", INERTIA, strict=True))
+)
+MOUNT = hd.Bushing("mount", BODY.at(0, 0, 0), hd.GROUND.at(0, 0, 0), named(STIFF, "k"))
+
+
+def model_of(joint, *effects, coordinates="tree", **start):
     """A body in space, with its mass centre at its origin."""
-    body = hd.Body(
-        "body",
-        p("mass", "kg", MASS),
-        inertia=tuple(p(f"J_{k}", "kg m^2", j) for k, j in zip("xyz", INERTIA, strict=True)),
-    )
-    return hd.Scene(
-        hd.Mechanism("floating", (hd.Free("free", hd.GROUND, body),)),
-        (*effects, hd.EnergyLedger()),
-        SCALES,
-        hd.Start(**start),
-    )
+    mechanism = hd.Mechanism("mounted", (joint,))
+    return load(hd.Scene(mechanism, (*effects, hd.EnergyLedger()), SCALES, hd.Start(**start), coordinates=coordinates))
 
 
-def body_of(scene):
-    return scene.mechanism.bodies[0]
-
-
-def mount(scene=None, **given):
-    body = body_of(floating(hd.Gravity("gravity", p("g", "m/s^2", 1), direction=hd.X)))
-    return hd.Bushing("mount", body.at(0, 0, 0), hd.GROUND.at(0, 0, 0), named(STIFF, "k"), **given)
+def floating(*effects, **start):
+    return model_of(hd.Free("free", hd.GROUND, BODY), *effects, **start)
 
 
 def test_vibrations_on_a_bushing():
     """Six frequencies of M x'' + K x = 0, by scipy.linalg.eigh."""
-    actual = modes(load(floating(mount())))
+    actual = modes(floating(MOUNT))
     squares = eigh(STIFF, np.diag([MASS] * 3 + list(INERTIA)), eigvals_only=True)
     assert np.sort(actual.frequencies) == pytest.approx(np.sqrt(squares) / (2 * np.pi), rel=1e-7)
 
 
 LARGE = {
-    "position": {
-        "free.x": p("x0", "m", 0.05),
-        "free.q0": p("q0", "1", 0.4),
-        "free.q1": p("q1", "1", 0.5),
-        "free.q2": p("q2", "1", -0.6),
-    },
+    "position": {"free.x": p("x0", "m", 0.05)}
+    | {f"free.q{i}": p(f"q{i}", "1", q) for i, q in enumerate((0.4, 0.5, -0.6))},
     "speed": {"free.angular_speed_x": p("w0", "rad/s", 3)},
 }
 
@@ -77,7 +65,7 @@ LARGE = {
 @pytest.mark.parametrize("method", ["dop853", "esdirk"])
 def test_large_rotations_conserve_energy(method):
     """The force is the gradient of the stored energy at rotations of two radians, with all entries at work."""
-    run = simulate(load(floating(mount(), **LARGE)), duration=0.3, tolerance=1e-9, method=method)
+    run = simulate(floating(MOUNT, **LARGE), duration=0.3, tolerance=1e-9, method=method)
     pose = np.array([run[f"mount.{what}_{k}"] for what in ("displacement", "rotation") for k in "xyz"])
     turned = Rotation.from_quat(np.array([run[f"free.q{i}"] for i in (1, 2, 3, 0)]).T).as_rotvec()
     assert pytest.approx(turned, abs=1e-9) == pose[3:].T
@@ -88,35 +76,14 @@ def test_large_rotations_conserve_energy(method):
 
 def test_work_along_any_path_is_the_difference_of_energy():
     """A damped run loses what its damper books, by rates of the rotation vector; the rest is in the spring."""
-    damping = named(0.01 * STIFF, "c", rate="1")
-    run = simulate(load(floating(mount(damping=damping), **LARGE)), duration=0.5, tolerance=1e-9)
+    damped = replace(MOUNT, damping=named(0.01 * STIFF, "c", rate="1"))
+    run = simulate(floating(damped, **LARGE), duration=0.5, tolerance=1e-9)
     assert run.energy_residual < 1e-7
     assert run["mount.dissipated"][-1] > 0.9 * run["energy"][0] > 0
     assert np.all(np.diff(run["mount.dissipated"]) >= 0)
 
 
-def ball(*effects, coordinates="tree", **start):
-    body = hd.Body(
-        "top",
-        p("mass", "kg", MASS),
-        inertia=tuple(p(f"J_{k}", "kg m^2", j) for k, j in zip("xyz", INERTIA, strict=True)),
-    )
-    return hd.Scene(
-        hd.Mechanism("ball", (hd.Spherical("pivot", hd.GROUND, body),)),
-        (*effects, hd.EnergyLedger()),
-        SCALES,
-        hd.Start(**start),
-        coordinates=coordinates,
-    )
-
-
-def pivot(kind, *given):
-    body = hd.Body(
-        "top",
-        p("mass", "kg", MASS),
-        inertia=tuple(p(f"J_{k}", "kg m^2", j) for k, j in zip("xyz", INERTIA, strict=True)),
-    )
-    return kind("spring", body.at(0, 0, 0), hd.GROUND.at(0, 0, 0), *given)
+PIVOT, ENDS = hd.Spherical("pivot", hd.GROUND, BODY), (BODY.at(0, 0, 0), hd.GROUND.at(0, 0, 0))
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
@@ -124,8 +91,8 @@ def test_a_spherical_spring_swings_by_its_angle(coordinates):
     """About a principal axis it is a torsional vibration of any amplitude: angle = a cos(sqrt(k/J) t)."""
     k, amplitude, omega = 2.0, 2.5, np.sqrt(2.0 / INERTIA[2])
     half = {"pivot.q0": p("q0", "1", np.cos(amplitude / 2)), "pivot.q3": p("q3", "1", np.sin(amplitude / 2))}
-    scene = ball(pivot(hd.SphericalSpring, p("k", "N m/rad", k)), coordinates=coordinates, position=half)
-    run = simulate(load(scene), duration=1.0, tolerance=1e-9)
+    spring = hd.SphericalSpring("spring", *ENDS, p("k", "N m/rad", k))
+    run = simulate(model_of(PIVOT, spring, coordinates=coordinates, position=half), duration=1.0, tolerance=1e-9)
     assert run["spring.rotation_z"] == pytest.approx(amplitude * np.cos(omega * run.t), abs=1e-6)
     assert run.energy_residual < 1e-7
 
@@ -135,16 +102,9 @@ def test_a_damper_opposes_the_angular_velocity_at_any_rotation():
     J, c, turned = 0.03, 0.2, 1.2
     body = hd.Body("top", p("mass", "kg", MASS), inertia=(p("J", "kg m^2", J),) * 3)
     damper = hd.SphericalSpring("spring", body.at(0, 0, 0), hd.GROUND.at(0, 0, 0), 0, p("c", "N m s/rad", c))
-    start = hd.Start(
-        {"pivot.q0": p("q0", "1", np.cos(turned / 2)), "pivot.q2": p("q2", "1", np.sin(turned / 2))},
-        {"pivot.angular_speed_x": p("w0", "rad/s", 5)},
-    )
-    joints = (hd.Spherical("pivot", hd.GROUND, body),)
-    run = simulate(
-        load(hd.Scene(hd.Mechanism("ball", joints), (damper, hd.EnergyLedger()), SCALES, start)),
-        duration=0.3,
-        tolerance=1e-10,
-    )
+    position = {"pivot.q0": p("q0", "1", np.cos(turned / 2)), "pivot.q2": p("q2", "1", np.sin(turned / 2))}
+    start = {"position": position, "speed": {"pivot.angular_speed_x": p("w0", "rad/s", 5)}}
+    run = simulate(model_of(hd.Spherical("pivot", hd.GROUND, body), damper, **start), duration=0.3, tolerance=1e-10)
     assert run["pivot.angular_speed_x"] == pytest.approx(5 * np.exp(-c * run.t / J), abs=1e-7)
     assert np.abs([run[f"pivot.angular_speed_{k}"] for k in "yz"]).max() < 1e-7
 
@@ -163,31 +123,23 @@ def test_series_beside_no_rotation_are_those_of_the_arc_and_its_bend():
 def test_a_potential_of_directions_is_gravity():
     """The weight of a mass centre off the pivot, m g z of its place, as an energy of TURN and as gravity."""
     body = hd.Body("top", p("mass", "kg", MASS), inertia=(p("J", "kg m^2", 0.02),) * 3, centre=(0, 0, SIZE))
-    g, spin = (
-        p("g", "m/s^2", 9.81),
-        hd.Start(speed={"pivot.angular_speed_x": p("w1", "rad/s", 2), "pivot.angular_speed_z": p("w3", "rad/s", 40)}),
-    )
-    weight = hd.FramePotential(
-        "weight", body.at(0, 0, 0), hd.GROUND.at(0, 0, 0), p("mass", "kg", MASS) * g * SIZE * hd.TURN[2][2]
-    )
-    mechanism = hd.Mechanism("top", (hd.Spherical("pivot", hd.GROUND, body),))
-    runs = [simulate(load(hd.Scene(mechanism, (effect, hd.EnergyLedger()), SCALES, spin)), duration=0.4, tolerance=1e-10)
-            for effect in (weight, hd.Gravity("weight", g, direction=-hd.Z))]  # fmt: skip
-    assert [runs[0][f"pivot.q{i}"][-1] for i in range(4)] == pytest.approx(
-        [runs[1][f"pivot.q{i}"][-1] for i in range(4)], abs=1e-8
-    )
+    g, mass = p("g", "m/s^2", 9.81), p("mass", "kg", MASS)
+    spin = {"pivot.angular_speed_x": p("w1", "rad/s", 2), "pivot.angular_speed_z": p("w3", "rad/s", 40)}
+    energy = hd.FramePotential("weight", body.at(0, 0, 0), hd.GROUND.at(0, 0, 0), mass * g * SIZE * hd.TURN[2][2])
+    joint, weight = hd.Spherical("pivot", hd.GROUND, body), hd.Gravity("weight", g, direction=-hd.Z)
+    runs = [simulate(model_of(joint, e, speed=spin), duration=0.4, tolerance=1e-10) for e in (energy, weight)]
+    ends = [[run[f"pivot.q{i}"][-1] for i in range(4)] for run in runs]
+    assert ends[0] == pytest.approx(ends[1], abs=1e-8)
     assert runs[0].energy_residual < 1e-8
 
 
 def test_in_the_plane_whole_turns_count():
     """A planar bushing winds up beyond half a turn: angle = w sqrt(J/k) sin(sqrt(k/J) t), up to 8 rad."""
     wheel = hd.Body("wheel", p("mass", "kg", MASS), inertia=p("J", "kg m^2", 0.02))
-    mechanism = hd.Mechanism("plane", (hd.Planar("table", hd.GROUND, wheel, normal=hd.Z),))
-    bushing = hd.Bushing(
-        "mount", wheel.at(0, 0, 0), hd.GROUND.at(0, 0, 0), (*(p("k", "N/m", 100),) * 3, *(p("k_t", "N m", 2),) * 3)
-    )
-    start = hd.Start(speed={"table.angle": p("w", "rad/s", 80)})
-    run = simulate(load(hd.Scene(mechanism, (bushing, hd.EnergyLedger()), SCALES, start)), duration=0.5, tolerance=1e-9)
+    rows = (*(p("k", "N/m", 100),) * 3, *(p("k_t", "N m", 2),) * 3)
+    bushing = hd.Bushing("mount", wheel.at(0, 0, 0), hd.GROUND.at(0, 0, 0), rows)
+    plane, speed = hd.Planar("table", hd.GROUND, wheel, normal=hd.Z), {"table.angle": p("w", "rad/s", 80)}
+    run = simulate(model_of(plane, bushing, speed=speed), duration=0.5, tolerance=1e-9)
     assert run["table.angle"] == pytest.approx(8 * np.sin(10 * run.t), abs=1e-6)
     assert np.max(run["mount.rotation_z"]) > 7.9
 
@@ -199,19 +151,14 @@ def test_faults_of_matrices_come_at_once():
     skew[0][1] = p("other", "N s/m", 3)
     wrong = [list(row) for row in named(np.eye(6), "w")]
     wrong[3][3] = p("soft", "N/m", 3)
-    base = mount()
+    base, one, unknown = MOUNT, MOUNT.first, p("k_u", "J", 1) * p("x", "1", 1) * hd.TURN[0][0] + hd.APART[0]
     with pytest.raises(hd.InputError) as caught:
         floating(
             replace(base, name="pushes", stiffness=named(stiff, "k"), damping=tuple(map(tuple, skew))),
             replace(base, name="wrong", stiffness=tuple(map(tuple, wrong))),
-            replace(base, name="itself", second=base.first, stiffness=(0,) * 6),
-            hd.FramePotential("energy", base.first, base.second, p("k_e", "N", 1) * hd.ROTATION[0]),
-            hd.FramePotential(
-                "unknown",
-                base.first,
-                base.second,
-                p("k_u", "J", 1) * hd.Parameter("x", "1", 1) * hd.TURN[0][0] + hd.APART[0],
-            ),
+            replace(base, name="itself", second=one, stiffness=(0,) * 6),
+            hd.FramePotential("energy", one, base.second, p("k_e", "N", 1) * hd.ROTATION[0]),
+            hd.FramePotential("unknown", one, base.second, unknown),
         )
     text = str(caught.value)
     for part in (
@@ -221,18 +168,11 @@ def test_faults_of_matrices_come_at_once():
         assert part in text, part
     with pytest.raises(hd.InputError, match="six rows of six"):
         floating(replace(base, stiffness=(1, 2)))
-    body = hd.Body("ball", p("mass", "kg", 1))
+    gap = hd.APART[1] - SIZE * hd.ROTATION[0]
+    pair = hd.CustomPair("p", *ENDS, gap=gap, normal=(0, 1, 0), contact_point=(hd.APART[0], 0, 0))
     with pytest.raises(hd.InputError, match="rotation_x"):
-        pair = hd.CustomPair(
-            "p",
-            body.at(0, 0, 0),
-            hd.GROUND.at(0, 0, 0),
-            gap=hd.APART[1] - SIZE * hd.ROTATION[0],
-            normal=(0, 1, 0),
-            contact_point=(hd.APART[0], 0, 0),
-        )
         hd.Scene(
-            hd.Mechanism("m", (hd.Free("free", hd.GROUND, body),), (pair,)),
-            (hd.Gravity("g", p("g", "m/s^2", 1), direction=-hd.Y),),
+            hd.Mechanism("m", (hd.Free("free", hd.GROUND, BODY),), (pair,)),
+            (hd.Gravity("g", p("g", "m/s^2", 1), -hd.Y),),
             SCALES,
         )

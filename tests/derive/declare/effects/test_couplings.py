@@ -8,16 +8,9 @@ from each import each
 
 import hertzwerk.derive as hd
 
-r, m, J = (
-    hd.Parameter("pitch_radius", "m", 0.1),
-    hd.Parameter("mass", "kg", 1.0),
-    hd.Parameter("inertia", "kg m^2", 0.1),
-)
-pace, w, number = (
-    hd.Parameter("pace", "m/s", 1.0),
-    hd.Parameter("w", "rad/s", 1.0),
-    hd.Parameter("teeth_ratio", "1", -2.0),
-)
+p = hd.Parameter
+r, m, J = p("pitch_radius", "m", 0.1), p("mass", "kg", 1.0), p("inertia", "kg m^2", 0.1)
+pace, w, number = p("pace", "m/s", 1.0), p("w", "rad/s", 1.0), p("teeth_ratio", "1", -2.0)
 wheel, pinion, block = (hd.Body(name, m, J) for name in ("wheel_body", "pinion_body", "block"))
 PARTS = (
     hd.Revolute("wheel", hd.GROUND, wheel, axis=hd.Z),
@@ -68,14 +61,12 @@ def test_a_coupling_that_cannot_be_is_refused(label):
 
 
 def test_all_faults_are_reported_at_once():
+    forms = hd.Coupling("mesh", "rack", "wheel", number), hd.Coupling("belt", "wheel", "wheel", -2)
     with pytest.raises(hd.InputError) as caught:
-        scene(
-            hd.Coupling("mesh", "rack", "wheel", number),
-            hd.Coupling("belt", "wheel", "wheel", -2),
-            hd.Coupling("screw"),
-        )
+        scene(*forms, hd.Coupling("screw"))
     assert [fault.where for fault in caught.value.faults] == ["effect screw"]  # the form first
     with pytest.raises(hd.InputError) as caught:
+        scene(*forms)
         scene(hd.Coupling("mesh", "rack", "wheel", number), hd.Coupling("belt", "wheel", "wheel", -2))
     assert {fault.where for fault in caught.value.faults} == {"effect mesh, ratio", "effect belt"}
 
@@ -118,9 +109,7 @@ def test_units_are_proven(coordinates):
     mesh, rack = hd.Coupling("mesh", "pinion", "wheel", number), hd.Coupling("rack_mesh", "rack", "wheel", r)
     slot = hd.Coupling("slot", equation=travel - r * sp.cos(other))
     for coupling, force in ((mesh, "N m"), (rack, "N"), (slot, "N")):
-        coupled = scene(coupling, hd.JointForce("motor", "wheel", hd.Parameter("M", "N m", 1.0))).with_coordinates(
-            coordinates
-        )
+        coupled = scene(coupling, hd.JointForce("motor", "wheel", p("M", "N m", 1.0))).with_coordinates(coordinates)
         assert not [finding for finding in hd.audit_scene(coupled) if finding.verdict != "consistent"]
         accelerations = next(f for f in hd.derive(coupled).functions if f.name == "accelerations")
         (multipliers,) = [result for result in accelerations.results if result.name == "multipliers"]
@@ -129,9 +118,7 @@ def test_units_are_proven(coordinates):
 
 def test_a_steady_rotation_that_is_geared_has_no_common_period():
     """A third of a turn a turn: what the wheel carries repeats after three, which the drive alone does not say."""
-    driven = scene(
-        hd.ConstantSpeed("motor", "pinion", w), hd.JointForce("load", "wheel", hd.Parameter("M", "N m", 1.0))
-    )
+    driven = scene(hd.ConstantSpeed("motor", "pinion", w), hd.JointForce("load", "wheel", p("M", "N m", 1.0)))
     assert "period" in [function.name for function in hd.derive(driven).functions]
     geared = scene(*driven.effects, hd.Coupling("mesh", "wheel", "pinion", number))
     assert "period" not in [function.name for function in hd.derive(geared).functions]

@@ -13,11 +13,8 @@ from each import each
 import hertzwerk.derive as hd
 from hertzwerk.derive.laws import flores, lugre, smooth_coulomb
 
-MASS, INERTIA, SIZE = (
-    hd.Parameter("mass", "kg", 1.0),
-    hd.Parameter("inertia", "kg m^2", 1.0),
-    hd.Parameter("size", "m", 1.0),
-)
+p = hd.Parameter
+MASS, INERTIA, SIZE = p("mass", "kg", 1.0), p("inertia", "kg m^2", 1.0), p("size", "m", 1.0)
 ROTOR, BLOCK = hd.Body("rotor", MASS, INERTIA), hd.Body("block", MASS)
 MECHANISM = hd.Mechanism(
     "bench",
@@ -27,19 +24,10 @@ MECHANISM = hd.Mechanism(
 SCALES = hd.Scales(length=SIZE, speed=hd.Parameter("pace", "m/s", 1.0), arm=SIZE)
 STRANGER = hd.Body("stranger", MASS)
 
-ANGLE, SPIN, RATE, RISE = (
-    hd.Parameter("angle", "rad", 1.0),
-    hd.Parameter("spin", "rpm", 60),
-    hd.Parameter("rate", "rad/s", 2.0),
-    hd.Parameter("rise", "s", 1.0),
-)
-STIFFNESS, DAMPING = hd.Parameter("stiffness", "N/m", 5.0), hd.Parameter("damping", "N s/m", 0.5)
-TORSION, TORQUE, FORCE = (
-    hd.Parameter("torsion", "N m/rad", 5.0),
-    hd.Parameter("torque", "N m", 2.0),
-    hd.Parameter("force", "N", 3.0),
-)
-REST = hd.Parameter("rest", "m", 0.5)
+ANGLE, SPIN = p("angle", "rad", 1.0), p("spin", "rpm", 60)
+RATE, RISE, REST = p("rate", "rad/s", 2.0), p("rise", "s", 1.0), p("rest", "m", 0.5)
+STIFFNESS, DAMPING = p("stiffness", "N/m", 5.0), p("damping", "N s/m", 0.5)
+TORSION, TORQUE, FORCE = p("torsion", "N m/rad", 5.0), p("torque", "N m", 2.0), p("force", "N", 3.0)
 LAW = smooth_coulomb(hd.Parameter("mu", "1", 0.2), hd.Parameter("v_s", "m/s", 0.1))
 WAVE = hd.Table("wave", (0, 1, 2), (0, 5, 0), ("s", "deg"))
 ENDS = (ROTOR.at(SIZE, 0, 0), BLOCK.at(0, 0, 0))

@@ -247,9 +247,7 @@ def imbalance(derived, t, q, u):
 # -- drives ------------------------------------------------------------------------------------------------------------
 
 AMPLITUDE, PHASE, MEAN = (
-    hd.Parameter("amplitude", "rad", 0.4),
-    hd.Parameter("phase", "rad", 0.3),
-    hd.Parameter("mean", "rad", 0.2),
+    hd.Parameter(name, "rad", x) for name, x in (("amplitude", 0.4), ("phase", 0.3), ("mean", 0.2))
 )
 SPEED, RISE = hd.Parameter("speed", "rad/s", 2.5), hd.Parameter("rise", "s", 0.8)
 SPIN = SPEED * (1 + sp.cos(RATE * hd.T) / 2)

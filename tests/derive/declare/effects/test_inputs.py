@@ -47,12 +47,8 @@ def test_every_fault_of_a_declaration_is_reported_at_once():
         hd.JointForce("six", "guide", hd.Input("odd", "newtons")),
     )
     for part in (
-        "two different inputs of this name",
-        "input mass: found a parameter of this name",
-        "no name",
-        "'energy'",
-        "newtons",
-    ):
+        "two different inputs of this name", "input mass: found a parameter of this name", "no name", "'energy'", "newtons",
+    ):  # fmt: skip
         assert part in text
     with pytest.raises(hd.InputError, match="found 3; expected text"):
         hd.Input("push", 3)

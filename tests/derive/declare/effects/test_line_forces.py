@@ -56,30 +56,19 @@ def test_a_bilinear_spring():
 def test_linear_laws_are_a_spring_and_a_damper():
     """Between points of two links, in a plane motion that turns the line."""
     length, damping = hd.Parameter("l", "m", 1), hd.Parameter("damping", "N s/m", 30)
-    upper, lower = (
-        hd.Body(
-            name,
-            hd.Parameter(f"{name}_mass", "kg", 2),
-            hd.Parameter(f"{name}_inertia", "kg m^2", 0.2),
-            (length / 2, 0, 0),
-        )
-        for name in ("upper", "lower")
-    )
+    mass, inertia = hd.Parameter("m", "kg", 2), hd.Parameter("J", "kg m^2", 0.2)
+    upper, lower = (hd.Body(name, mass, inertia, (length / 2, 0, 0)) for name in ("upper", "lower"))
     joints = (
         hd.Revolute("top", hd.GROUND, upper, axis=hd.Z),
         hd.Revolute("elbow", upper.at(length, 0, 0), lower, axis=hd.Z),
     )
+    scales = hd.Scales(length, hd.Parameter("pace", "m/s", 1), length)
     ends = hd.GROUND.at(0.3 * length, 0.7 * length, 0), lower.at(length, 0, 0)
     stretch = hd.Parameter("free", "m", 0.5)
     start = hd.Start(position={"elbow": hd.Parameter("bend", "rad", 0.4)})
 
     def final(*effects):
-        scene = hd.Scene(
-            hd.Mechanism("arm", joints),
-            (*effects, hd.EnergyLedger()),
-            hd.Scales(length, hd.Parameter("pace", "m/s", 1), length),
-            start,
-        )
+        scene = hd.Scene(hd.Mechanism("arm", joints), (*effects, hd.EnergyLedger()), scales, start)
         run = simulate(load(scene), duration=1.0, tolerance=1e-10)
         return np.array([run.engine.final[name] for name in ("top.angle", "elbow.angle", "top.speed", "elbow.speed")])
 
@@ -92,13 +81,7 @@ def test_a_law_of_the_wrong_unit_or_of_a_joint_is_refused():
     with pytest.raises(hd.InputError, match="effect cord, tension"):
         fall(k * hd.LENGTH_RATE)
     with pytest.raises(hd.InputError, match="which depends on length"):
-        hd.Scene(
-            FALL,
-            (
-                hd.PointSpring("s", HOOK, JUMPER.at(0, 0, 0), k),
-                hd.Gravity("g", hd.Parameter("g", "m/s^2", G) * hd.LENGTH, -hd.Y),
-            ),
-            SCALES,
-        )
+        heavy = hd.Gravity("g", hd.Parameter("g", "m/s^2", G) * hd.LENGTH, -hd.Y)
+        hd.Scene(FALL, (hd.PointSpring("s", HOOK, JUMPER.at(0, 0, 0), k), heavy), SCALES)
     with pytest.raises(hd.InputError, match="fal"):
         fall(k * hd.coordinate_of("fal") + k * hd.speed_of("fall"))

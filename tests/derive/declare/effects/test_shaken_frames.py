@@ -24,13 +24,10 @@ def test_a_frame_that_is_shaken(axis, coordinates):
     shaken = hd.Gravity("shaken", A * W**2 * sp.sin(W * hd.T), direction=axis)  # minus the frame's acceleration
     scene = hd.Scene(HUNG, (DOWN, shaken, hd.EnergyLedger()), SCALES, START, coordinates=coordinates)
     run = simulate(load(scene), duration=1.0, tolerance=1e-10)
-    driven = hd.Mechanism(
-        "driven", (hd.Prismatic("slide", hd.GROUND, CART, axis=axis), hd.Revolute("hinge", CART, BOB, axis=hd.Z))
-    )
-    support = hd.Harmonic("support", "slide", A, frequency=W)
-    other = simulate(
-        load(hd.Scene(driven, (DOWN, support, hd.EnergyLedger()), SCALES, START)), duration=1.0, tolerance=1e-10
-    )
+    joints = hd.Prismatic("slide", hd.GROUND, CART, axis=axis), hd.Revolute("hinge", CART, BOB, axis=hd.Z)
+    effects = DOWN, hd.Harmonic("support", "slide", A, frequency=W), hd.EnergyLedger()
+    driven = hd.Scene(hd.Mechanism("driven", joints), effects, SCALES, START)
+    other = simulate(load(driven), duration=1.0, tolerance=1e-10)
     assert run["hinge.angle"][-1] == pytest.approx(other["hinge.angle"][-1], abs=1e-7)
     assert run["hinge.reaction_y"][-1] == pytest.approx(other["hinge.reaction_y"][-1], rel=1e-6)
     assert np.ptp(run["shaken.input"]) > 0.01

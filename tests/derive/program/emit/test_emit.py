@@ -141,28 +141,6 @@ def test_operations_are_counted():
     assert operations(text) == 2 + 1 + 1 + 1 + 1 + 1
 
 
-def parsed_operations(node):
-    """Operations by Python's own parser: of a sign in front of a number none, of packing none, of `*[x]*n` those of n."""
-    if isinstance(node, ast.Starred):
-        return node.value.right.value * parsed_operations(node.value.left)
-    inside = sum(map(parsed_operations, ast.iter_child_nodes(node)))
-    if isinstance(node, ast.Call):
-        return inside + (getattr(node.func, "attr", "") != "vertcat")
-    if isinstance(node, ast.UnaryOp):
-        return inside + (not isinstance(node.operand, ast.Constant))
-    return inside + isinstance(node, ast.BinOp | ast.Compare)
-
-
-@each("expression", [
-        -x, -2 * x, -(x + y) * n, 1e-5 * x - 3e20 * y, x - 1e-7, 2 - x, x / 3 - y / (x * n), -(2**n), 3 * 2**-n, -(x**2) - y**n, x**-2.5,
-        sp.sqrt(x) * x**4, -sp.sin(-x) + sp.cos(x - y) ** 2, sp.Max(x, -y, 3), sp.Rational(-2, 3) * x, x * sp.Rational(5, 7),
-        Where(x > y + 1, -x, y), Where(sp.Le(x, -1), x, -2), sp.atan2(-y, x), sp.exp(-x / y),
-    ])  # fmt: skip
-def test_operations_are_those_that_python_parses(expression):
-    text = expression_text(expression)
-    assert operations(text) == parsed_operations(ast.parse(text)) > 0
-
-
 # -- what is not known -------------------------------------------------------------------------------------------------
 
 

@@ -20,15 +20,9 @@ HANGS, TURNS = hd.Prismatic("fall", hd.GROUND, weight, axis=-hd.Y), hd.Revolute(
 GIVEN = p("hold", "N", HOLD), p("radius", "m", R), p("wrap", "rad", WRAP)
 
 
-def capstan(drum="", load="fall", *, joints=(HANGS,), effects=(DOWN,), coordinates="tree", **start):
-    belt = hd.BeltOnDrum("rope", drum, load, DRY, *GIVEN)
-    return hd.Scene(
-        hd.Mechanism("capstan", joints),
-        (*effects, belt, hd.EnergyLedger()),
-        SCALES,
-        hd.Start(**start),
-        coordinates=coordinates,
-    )
+def capstan(drum="", load_at="fall", *, joints=(HANGS,), effects=(DOWN,), coordinates="tree", **start):
+    effects = *effects, hd.BeltOnDrum("rope", drum, load_at, DRY, *GIVEN), hd.EnergyLedger()
+    return hd.Scene(hd.Mechanism("capstan", joints), effects, SCALES, hd.Start(**start), coordinates=coordinates)
 
 
 RATIO = np.exp(MU * WRAP)
@@ -40,12 +34,11 @@ def test_a_load_is_lowered_around_a_bollard(coordinates, method):
     run = simulate(load(capstan(coordinates=coordinates)), duration=0.5, tolerance=1e-10, method=method)
     a = G - HOLD * RATIO / M
     assert run["rope.load"][-1] == pytest.approx(HOLD * RATIO, rel=1e-12)
-    later = run.at(np.array([0.1]))["fall.speed"][0]
-    assert run["fall.speed"][-1] - later == pytest.approx(a * 0.4, rel=1e-9)
-    fallen = run["fall.travel"][-1]
-    assert run["rope.dissipated"][-1] - run.at(np.array([0.1]))["rope.dissipated"][0] == pytest.approx(
-        HOLD * (RATIO - 1) * (fallen - run.at(np.array([0.1]))["fall.travel"][0]), rel=1e-8
-    )
+    early = run.at(np.array([0.1]))
+    assert run["fall.speed"][-1] - early["fall.speed"][0] == pytest.approx(a * 0.4, rel=1e-9)
+    fallen, heat = (run[name][-1] for name in ("fall.travel", "rope.dissipated"))
+    slid = fallen - early["fall.travel"][0]
+    assert heat - early["rope.dissipated"][0] == pytest.approx(HOLD * (RATIO - 1) * slid, rel=1e-8)
     assert run["rope.input"][-1] == pytest.approx(-HOLD * fallen, rel=1e-9)
     assert run.energy_residual < 1e-9
 
@@ -74,9 +67,8 @@ def test_a_turning_capstan_hauls():
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 def test_a_band_brake(sense, coordinates):
     """Torque T r (exp(mu wrap) - 1) where the drum runs against the anchor, else T r (1 - exp(-mu wrap))."""
-    scene = capstan(
-        "axle", "", joints=(TURNS,), effects=(), coordinates=coordinates, speed={"axle": p("w", "rad/s", sense * 50)}
-    )
+    speed = {"axle": p("w", "rad/s", sense * 50)}
+    scene = capstan("axle", "", joints=(TURNS,), effects=(), coordinates=coordinates, speed=speed)
     run = simulate(load(scene), duration=0.2, tolerance=1e-10)
     torque = HOLD * R * ((1 - 1 / RATIO) if sense > 0 else (RATIO - 1))
     assert run["axle.speed"][-1] == pytest.approx(sense * (50 - torque / J * 0.2), rel=1e-9)
@@ -108,25 +100,16 @@ def test_friction_of_a_ball_joint(coordinates):
     j = p("J", "kg m^2", 0.1)
     top = hd.Body("top", p("mass", "kg", M), inertia=(j, j, j), centre=(0, 0, -SIZE))
     friction = hd.BallFriction("socket", "pivot", DRY, p("radius", "m", R))
-    start = hd.Start(
-        speed={"pivot.angular_speed_z": p("w", "rad/s", 800), "pivot.angular_speed_x": p("w_x", "rad/s", 0)}
-    )
-    gravity = hd.Gravity("gravity", p("g", "m/s^2", G), direction=-hd.Z)
-    scene = hd.Scene(
-        hd.Mechanism("ball", (hd.Spherical("pivot", hd.GROUND, top),)),
-        (gravity, friction, hd.EnergyLedger()),
-        SCALES,
-        start,
-        coordinates=coordinates,
-    )
-    model = load(scene)
+    speed = {"pivot.angular_speed_z": p("w", "rad/s", 800), "pivot.angular_speed_x": p("w_x", "rad/s", 0)}
+    effects = hd.Gravity("gravity", p("g", "m/s^2", G), direction=-hd.Z), friction, hd.EnergyLedger()
+    ball = hd.Mechanism("ball", (hd.Spherical("pivot", hd.GROUND, top),))
+    model = load(hd.Scene(ball, effects, SCALES, hd.Start(speed=speed), coordinates=coordinates))
     run = simulate(model, duration=0.5, tolerance=1e-9)
     speed = "pivot.angular_speed_z" if coordinates == "tree" else "top.angular_speed_z"
     assert run[speed][-1] == pytest.approx(800 - MU * R * M * G / 0.1 * 0.5, rel=1e-9)
     assert run.energy_residual < 1e-9
-    swings = simulate(
-        model, duration=0.2, tolerance=1e-9, parameters={"w_x": (5, "rad/s"), "w": (3, "rad/s"), "v_s": (0.5, "m/s")}
-    )
+    slow = {"w_x": (5, "rad/s"), "w": (3, "rad/s"), "v_s": (0.5, "m/s")}
+    swings = simulate(model, duration=0.2, tolerance=1e-9, parameters=slow)
     pressed = np.sqrt(sum(swings[f"pivot.reaction_{k}"] ** 2 for k in "xyz"))
     w = np.sqrt(sum(swings[speed[:-1] + k] ** 2 for k in "xyz"))
     assert swings["socket.power"] == pytest.approx(MU * R * pressed * w * np.tanh(R * w / 0.5), rel=1e-7)
@@ -135,15 +118,10 @@ def test_friction_of_a_ball_joint(coordinates):
 
 def test_a_belt_may_be_held_by_a_spring():
     """Its tension is any expression: of the drum's own angle, which an anchor's spring stretches."""
-    from hertzwerk.derive import coordinate_of
-
-    held = GIVEN[0] + p("k", "N/rad", 10) * coordinate_of("axle")
+    held = GIVEN[0] + p("k", "N/rad", 10) * hd.coordinate_of("axle")
     belt = hd.BeltOnDrum("rope", "axle", "", DRY, held, *GIVEN[1:])
-    effects = (belt, hd.JointForce("drive", "axle", p("drive", "N m", 1)), hd.EnergyLedger())
-    run = simulate(
-        load(hd.Scene(hd.Mechanism("band", (TURNS,)), effects, SCALES, hd.Start(speed={"axle": p("w", "rad/s", 20)}))),
-        duration=0.3,
-        tolerance=1e-9,
-    )
+    effects = belt, hd.JointForce("drive", "axle", p("drive", "N m", 1)), hd.EnergyLedger()
+    start = hd.Start(speed={"axle": p("w", "rad/s", 20)})
+    run = simulate(load(hd.Scene(hd.Mechanism("band", (TURNS,)), effects, SCALES, start)), duration=0.3, tolerance=1e-9)
     assert run["rope.tension"] == pytest.approx(HOLD + 10 * run["axle.angle"], rel=1e-12)
     assert run.energy_residual < 1e-8
