@@ -226,44 +226,28 @@ def test_tests_mirror_the_rooms():
 
 
 # Arrows between files of one room that close a ring, and why they stay: from a folder or file, to a file.
-FILE_RINGS = {
+RINGS = (  # folder, from, to, why
+    ("derive/declare/scene", "checks", "scene.py", "a scene checks itself when it is made; its checks name its type"),
     (
-        "derive/declare/scene/checks",
-        "derive/declare/scene/scene.py",
-    ): "a scene checks itself when it is made; its checks name its type",
+        "runtime/analysis/rigid_limit",
+        "plot_rigid_limit.py",
+        "rigid_limit.py",
+        "a rigid limit draws itself; its picture names its type",
+    ),
     (
-        "runtime/analysis/rigid_limit/plot_rigid_limit.py",
-        "runtime/analysis/rigid_limit/rigid_limit.py",
-    ): "a rigid limit draws itself; its picture names its type",
-    (
-        "runtime/studies/sweeps/stored_rows.py",
-        "runtime/studies/sweeps/sweep_table.py",
-    ): "a sweep saves and reads itself; the format imports what it makes",
-    (
-        "runtime/studies/sweeps/plot_sweep.py",
-        "runtime/studies/sweeps/sweep_table.py",
-    ): "a sweep draws itself; its picture names its type",
-    (
-        "runtime/studies/uncertainty/plot_uncertainty.py",
-        "runtime/studies/uncertainty/propagation_result.py",
-    ): "so does propagated uncertainty",
-    (
-        "runtime/studies/minimisation/plot_minimum.py",
-        "runtime/studies/minimisation/minimum.py",
-    ): "so does a minimum",
-    (
-        "runtime/studies/fitting/plot_fit.py",
-        "runtime/studies/fitting/fit_result.py",
-    ): "so does a fit",
-    (
-        "runtime/studies/fitting/moments/plot_moments.py",
-        "runtime/studies/fitting/moments/moment_fit.py",
-    ): "so does a fit of moments",
-    (
-        "runtime/studies/comparison/plot_comparison.py",
-        "runtime/studies/comparison/comparison_result.py",
-    ): "so does a comparison",
-}
+        "runtime/studies/sweeps",
+        "stored_rows.py",
+        "sweep_table.py",
+        "a sweep saves and reads itself; the format imports what it makes",
+    ),
+    ("runtime/studies/sweeps", "plot_sweep.py", "sweep_table.py", "a sweep draws itself; its picture names its type"),
+    ("runtime/studies/uncertainty", "plot_uncertainty.py", "propagation_result.py", "so does propagated uncertainty"),
+    ("runtime/studies/minimisation", "plot_minimum.py", "minimum.py", "so does a minimum"),
+    ("runtime/studies/fitting", "plot_fit.py", "fit_result.py", "so does a fit"),
+    ("runtime/studies/fitting/moments", "plot_moments.py", "moment_fit.py", "so does a fit of moments"),
+    ("runtime/studies/comparison", "plot_comparison.py", "comparison_result.py", "so does a comparison"),
+)
+FILE_RINGS = {(f"{folder}/{start}", f"{folder}/{end}"): why for folder, start, end, why in RINGS}
 
 
 def acyclic(files: dict[Path, set[Path]], listed: dict[tuple[str, str], str]) -> None:
@@ -293,27 +277,14 @@ def test_the_fronts_are_imported_by_nobody_but_what_is_written_as_users_write():
 
 
 def test_derive_imports_sympy_and_nothing_of_the_other_side():
-    assert (
-        offenders(
-            sources("derive"),
-            "casadi",
-            "numpy",
-            "scipy",
-            "matplotlib",
-            "hertzwerk.generated",
-            "hertzwerk.runtime",
-        )
-        == []
-    )
+    foreign = ("casadi", "numpy", "scipy", "matplotlib", "hertzwerk.generated", "hertzwerk.runtime")
+    assert offenders(sources("derive"), *foreign) == []
     assert offenders(sources("derive"), "sympy") != []
 
 
 def test_derive_imports_pydantic_only_where_a_file_is_read():
-    assert {file.name for file in sources("derive") if any(reaches(m, "pydantic") for m in modules(file))} == {
-        "file_schema.py",
-        "law_table.py",
-        "urdf_elements.py",
-    }
+    importers = {file.name for file in sources("derive") if any(reaches(m, "pydantic") for m in modules(file))}
+    assert importers == {"file_schema.py", "law_table.py", "urdf_elements.py"}
     loaded = "import sys; from hertzwerk.derive.exchange.user_files import law_file, urdf; sys.exit('pydantic' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", loaded], check=False).returncode == 0
 
@@ -361,12 +332,8 @@ def test_heavy_libraries_are_imported_where_they_belong(libraries):
         if any(reaches(module, *libraries) for module in runs(file))
     ]
     assert importers
-    strangers = [
-        name
-        for name in importers
-        if not name.startswith(HOMES[libraries]) and not name.split("/")[-1].startswith(HOMES[libraries])
-    ]
-    assert strangers == []
+    for name in importers:
+        assert name.startswith(HOMES[libraries]) or name.split("/")[-1].startswith(HOMES[libraries]), name
 
 
 def runs(file: Path) -> set[str]:
@@ -426,16 +393,11 @@ def test_a_forbidden_import_would_be_found(tmp_path, monkeypatch):
         "if TYPE_CHECKING:\n    from hertzwerk.runtime.simulation import simulate\n"
     )
     (tmp_path / "runtime" / "simulation.py").touch()
-    assert {"hertzwerk.runtime.pictures", "hertzwerk.derive", "sympy.core", "hertzwerk.derive.scenes"} <= set(
-        modules(file)
-    )
+    found = {"hertzwerk.runtime.pictures", "hertzwerk.derive", "sympy.core", "hertzwerk.derive.scenes"}
+    assert found <= set(modules(file))
     actual = file_graph.__wrapped__()[Path("runtime/inner/x.py")]
-    assert {str(other) for other in actual} == {
-        "runtime/pictures/__init__.py",
-        "derive/__init__.py",
-        "derive/scenes/__init__.py",
-        "runtime/simulation.py",
-    }
+    rooms = {f"{room}/__init__.py" for room in ("runtime/pictures", "derive", "derive/scenes")}
+    assert {str(other) for other in actual} == {*rooms, "runtime/simulation.py"}
 
 
 if __name__ == "__main__":
