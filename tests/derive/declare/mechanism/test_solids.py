@@ -5,7 +5,6 @@ import re
 import numpy as np
 import pytest
 import sympy as sp
-from derived import Derived
 from scipy.special import ellipj
 
 import hertzwerk.derive as hd
@@ -113,24 +112,6 @@ def test_a_body_of_parts_and_holes_is_the_integral_over_what_is_left():
         "it", pin, hd.Body.cylinder("other", R, L, density=RHO, axis=hd.X, centre=tuple(-c for c in OFF))
     )
     assert [value(c) for c in mirrored.centre] == [0, 0, 0]
-
-
-def test_a_body_of_parts_moves_as_these_parts_welded():
-    """Mass matrix of a skew pendulum."""
-    arm = hd.Body.box("arm", C, B, H, density=RHO, centre=(C / 2, 0, 0))
-    weight = hd.Body.cone("weight", R, L, density=RHO, axis=SKEW, centre=(C, B, H))
-
-    def swung(body, *more):
-        spin = hd.Parameter("spin", "rad/s", 1.0)
-        joint = hd.Revolute("pin", hd.GROUND, body.at(0, 0, 0), axis=hd.Direction((0, 1, 2)))
-        return Derived(
-            hd.Scene(hd.Mechanism("swung", (joint, *more)), (hd.EnergyLedger(),), SIZES, hd.Start(speed={"pin": spin}))
-        )
-
-    one, two = swung(hd.Body.of("both", arm, weight)), swung(arm, hd.Weld("glue", arm, weight))
-    energies = [derived.call("energy", t=0.0, q=[0.4], u=[3.0])[0] for derived in (one, two)]
-    assert energies[0] == pytest.approx(energies[1], rel=1e-13)
-    assert energies[0] > 0
 
 
 def test_a_radius_changes_the_mass():

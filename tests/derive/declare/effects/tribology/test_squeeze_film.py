@@ -33,11 +33,8 @@ def oil(law=sphere_film, **options):
 
 def in_space(pair, *effects):
     joints = (hd.Free("of_ball", hd.GROUND, ball), hd.Free("of_table", hd.GROUND, table))
-    return hd.Scene(
-        hd.Mechanism("oiled_ball", joints, (pair,)),
-        effects,
-        hd.Scales(length=radius, speed=hd.Parameter("pace", "m/s", 1), arm=radius),
-    )
+    scales = hd.Scales(length=radius, speed=hd.Parameter("pace", "m/s", 1), arm=radius)
+    return hd.Scene(hd.Mechanism("oiled_ball", joints, (pair,)), effects, scales)
 
 
 def falling(*effects, **scene):
@@ -67,13 +64,10 @@ def test_the_film_acts_along_the_normal_between_moving_bodies_and_dissipates(pai
         turned = rng.normal(size=4)
         turned /= np.linalg.norm(turned)
         s, v = turned[0], turned[1:]
-        normal = (
-            2 * s * np.cross(v, hd_y := np.array([0, 1.0, 0])) + hd_y + 2 * np.cross(v, np.cross(v, hd_y))
-        )  # of the table
-        base = rng.normal(size=3)
-        centre = (
-            base + (R * (4 if sphere else 1) + h) * normal + (0 if sphere else 1) * 0.3 * np.cross(normal, [1, 0, 0])
-        )
+        hd_y = np.array([0, 1.0, 0])
+        normal = 2 * s * np.cross(v, hd_y) + hd_y + 2 * np.cross(v, np.cross(v, hd_y))  # of the table
+        base, aside = rng.normal(size=3), 0 if sphere else 0.3 * np.cross(normal, [1, 0, 0])
+        centre = base + (R * (4 if sphere else 1) + h) * normal + aside
         q = np.concatenate([centre, [1, 0, 0, 0], base, turned])
         u = rng.normal(size=12)
         f = model.call("applied", t=0.0, q=q, u=u)
@@ -83,9 +77,8 @@ def test_the_film_acts_along_the_normal_between_moving_bodies_and_dissipates(pai
         force = -drag(h, law, R * 3 / 4 if sphere else R) * rate
         assert f[:3] == pytest.approx(force * normal, rel=1e-8)
         assert f[6:9] == pytest.approx(-force * normal, rel=1e-8)
-        assert model.call("ledger", t=0.0, q=q, u=u, reactions=np.zeros(0))[row] == pytest.approx(
-            -force * rate, rel=1e-8
-        )
+        (heat,) = model.call("ledger", t=0.0, q=q, u=u, reactions=np.zeros(0))[[row]]
+        assert heat == pytest.approx(-force * rate, rel=1e-8)
 
 
 @cache
