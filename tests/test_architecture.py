@@ -26,19 +26,14 @@ FLOORS = {
     "runtime": "system engine output loading simulation analysis studies export handbook cli",
 }
 ROOMS = {
-    "derive/expressions": "algebra dimension .",
-    "derive/program": ". emit",
-    "derive/declare": "mechanism effects scene",
-    "derive/equations": "flexible motion contact module equal_parts inverse_dynamics .",
-    "derive/equations/contact": ". pairs",
+    "derive/expressions": "algebra dimension .", "derive/program": ". emit", "derive/declare": "mechanism effects scene",
+    "derive/equations": "flexible motion contact module equal_parts inverse_dynamics .", "derive/equations/contact": ". pairs",
     "derive/exchange": "user_files sympy_models readable_equations law_sheets",
     "runtime/engine": "accuracy model integration start solution run sensitivity inputs",
-    "runtime/engine/integration": "tableaux friction many_pairs step events loop .",
-    "runtime/output": "plots drawings films tables reports",
+    "runtime/engine/integration": "tableaux friction many_pairs step events loop .", "runtime/output": "plots drawings films tables reports",
     "runtime/analysis": "statics rigid_limit effect_study work_precision validation hard_cases",
-    "runtime/studies": "comparison sweeps uncertainty minimisation fitting paper",
-    "runtime/studies/sweeps": "points rows .",
-}
+    "runtime/studies": "comparison sweeps uncertainty minimisation fitting paper", "runtime/studies/sweeps": "points rows .",
+}  # fmt: skip
 ORDERS = {folder: names.split() for folder, names in (FLOORS | ROOMS).items()}
 
 CALLS = ("import_module", "__import__")
@@ -228,25 +223,15 @@ def test_tests_mirror_the_rooms():
 # Arrows between files of one room that close a ring, and why they stay: from a folder or file, to a file.
 RINGS = (  # folder, from, to, why
     ("derive/declare/scene", "checks", "scene.py", "a scene checks itself when it is made; its checks name its type"),
-    (
-        "runtime/analysis/rigid_limit",
-        "plot_rigid_limit.py",
-        "rigid_limit.py",
-        "a rigid limit draws itself; its picture names its type",
-    ),
-    (
-        "runtime/studies/sweeps",
-        "stored_rows.py",
-        "sweep_table.py",
-        "a sweep saves and reads itself; the format imports what it makes",
-    ),
+    ("runtime/analysis/rigid_limit", "plot_rigid_limit.py", "rigid_limit.py", "a rigid limit draws itself; its picture names its type"),
+    ("runtime/studies/sweeps", "stored_rows.py", "sweep_table.py", "a sweep saves and reads itself; the format imports what it makes"),
     ("runtime/studies/sweeps", "plot_sweep.py", "sweep_table.py", "a sweep draws itself; its picture names its type"),
     ("runtime/studies/uncertainty", "plot_uncertainty.py", "propagation_result.py", "so does propagated uncertainty"),
     ("runtime/studies/minimisation", "plot_minimum.py", "minimum.py", "so does a minimum"),
     ("runtime/studies/fitting", "plot_fit.py", "fit_result.py", "so does a fit"),
     ("runtime/studies/fitting/moments", "plot_moments.py", "moment_fit.py", "so does a fit of moments"),
     ("runtime/studies/comparison", "plot_comparison.py", "comparison_result.py", "so does a comparison"),
-)
+)  # fmt: skip
 FILE_RINGS = {(f"{folder}/{start}", f"{folder}/{end}"): why for folder, start, end, why in RINGS}
 
 

@@ -137,11 +137,8 @@ def test_an_effect(made):
 
     def scene(drag):
         return hd.Scene(
-            sled,
-            (kind("air", "slide", drag), hd.EnergyLedger()),
-            hd.Scales(size, pace),
-            hd.Start(speed={"slide": pace}),
-        )
+            sled, (kind("air", "slide", drag), hd.EnergyLedger()), hd.Scales(size, pace), hd.Start(speed={"slide": pace}),
+        )  # fmt: skip
 
     run = simulate(load(scene(hd.Parameter("drag", "kg/m", 0.3))), duration=3.0, tolerance=1e-11)
     assert run["slide.speed"] == pytest.approx(5 / (1 + 0.3 * 5 * run.t / 2), rel=1e-9)
@@ -162,11 +159,8 @@ def test_an_effect_with_states(made):
     )
     thrown = hd.Start(speed={"slide": hd.Parameter("thrown", "m/s", h / lead)})
     scene = hd.Scene(
-        hd.Mechanism("satellite", (hd.Prismatic("slide", hd.GROUND, body, axis=hd.X),)),
-        (relay, hd.EnergyLedger()),
-        scales,
-        thrown,
-    )
+        hd.Mechanism("satellite", (hd.Prismatic("slide", hd.GROUND, body, axis=hd.X),)), (relay, hd.EnergyLedger()), scales, thrown,
+    )  # fmt: skip
     period = 4 * h / (lead * acceleration)
     model = load(scene)
     for method in ("auto", "esdirk"):
@@ -240,11 +234,8 @@ def test_hooks_are_local_and_fetch_nothing():
     assert re.findall(r"repo: (\S+)", hooks) == ["local"]
     entries = [entry.split() for entry in re.findall(r"entry: (.*)", hooks)]
     assert [entry[:2] for entry in entries] == [
-        ["ruff", "check"],
-        ["ruff", "format"],
-        ["mypy", "-p"],
-        ["hertzwerk", "derive"],
-    ]
+        ["ruff", "check"], ["ruff", "format"], ["mypy", "-p"], ["hertzwerk", "derive"],
+    ]  # fmt: skip
     assert re.findall(r"language: (\S+)", hooks) == ["system"] * len(entries)
     assert all(shutil.which(entry[0], path=str(Path(sys.executable).parent)) for entry in entries)
 

@@ -200,25 +200,17 @@ def branched(depth: int) -> str:
 @pytest.mark.parametrize(
     ("file", "text"),
     [
-        ("laws.toml", LAWS.replace("exp(d/h)", NESTED[18])),
-        ("laws.toml", LAWS.replace("exp(d/h)", NESTED[25])),
-        ("laws.toml", LAWS.replace("exp(d/h)", f"exp({branched(3)}/h)")),
-        ("laws.toml", LAWS.replace("default = 20", f"default = {'9' * 300}")),
-        ("laws.toml", LAWS.replace("default = 20", f"default = {'9' * 5000}")),
-        ("laws.toml", LAWS.replace('unit = "Pa"', 'unit = "N/m^q"')),
-        ("laws.toml", LAWS.replace('unit = "mm"', 'unit = "N/m^q"')),
-        ("laws.toml", LAWS + ".".join("a" * 400_000) + " = 1\n"),
-        ("laws.toml", LAWS + "x = " + "[" * 30_000),
-        ("s.toml", SCENARIO + ".".join("a" * 400_000) + " = 1\n"),
-        ("s.toml", SCENARIO + "x = " + "[" * 30_000),
-        ("s.toml", SCENARIO + "x = " + "{a=" * 20_000),
-        ("s.toml", SCENARIO.replace("impacts.0", "impacts.²")),
-        ("s.toml", SCENARIO.replace("impacts.0", f"impacts.{'9' * 5000}")),
-        ("s.toml", SCENARIO.replace("1e-6", "9" * 5000)),
-        ("s.toml", "\x00" + SCENARIO),
+        ("laws.toml", LAWS.replace("exp(d/h)", NESTED[18])), ("laws.toml", LAWS.replace("exp(d/h)", NESTED[25])),
+        ("laws.toml", LAWS.replace("exp(d/h)", f"exp({branched(3)}/h)")), ("laws.toml", LAWS.replace("default = 20", f"default = {'9' * 300}")),
+        ("laws.toml", LAWS.replace("default = 20", f"default = {'9' * 5000}")), ("laws.toml", LAWS.replace('unit = "Pa"', 'unit = "N/m^q"')),
+        ("laws.toml", LAWS.replace('unit = "mm"', 'unit = "N/m^q"')), ("laws.toml", LAWS + ".".join("a" * 400_000) + " = 1\n"),
+        ("laws.toml", LAWS + "x = " + "[" * 30_000), ("s.toml", SCENARIO + ".".join("a" * 400_000) + " = 1\n"),
+        ("s.toml", SCENARIO + "x = " + "[" * 30_000), ("s.toml", SCENARIO + "x = " + "{a=" * 20_000),
+        ("s.toml", SCENARIO.replace("impacts.0", "impacts.²")), ("s.toml", SCENARIO.replace("impacts.0", f"impacts.{'9' * 5000}")),
+        ("s.toml", SCENARIO.replace("1e-6", "9" * 5000)), ("s.toml", "\x00" + SCENARIO),
     ],
     ids=range(16),
-)
+)  # fmt: skip
 def test_small_files_take_no_long_time_and_end_in_one_error(file, text, tmp_path):
     """Each took 27 s to for ever, or ended in an error of Python's."""
     path = tmp_path / file
@@ -358,16 +350,8 @@ def test_rows_of_a_batch_that_are_nothing_are_refused(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "cc",
-    [
-        pytest.param("gcc -m64 -g0", marks=pytest.mark.slow),
-        "true",
-        "cat",
-        'gcc "',
-        "no-such-compiler",
-        "gcc -fno-such-option",
-    ],
-)
+    "cc", [pytest.param("gcc -m64 -g0", marks=pytest.mark.slow), "true", "cat", 'gcc "', "no-such-compiler", "gcc -fno-such-option"],
+)  # fmt: skip
 def test_cc_is_a_command_as_a_shell_reads_it_and_one_that_makes_nothing_is_reported(cc, monkeypatch, tmp_path):
     """`CC=true` compiled nothing without a word, `CC="gcc -m64"` was passed over."""
     from hertzwerk.runtime.engine.integration.loop import c_compilation

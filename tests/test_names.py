@@ -150,15 +150,8 @@ def test_a_local_that_is_a_riddle_is_found(text):
 
 
 @pytest.mark.parametrize(
-    "text",
-    [
-        "class Asked: pass",
-        "class A:\n    kept: int",
-        "def read_given(): pass",
-        "KEPT, B = 1, 2",
-        "def f(x):\n    x._found = 1",
-    ],
-)
+    "text", ["class Asked: pass", "class A:\n    kept: int", "def read_given(): pass", "KEPT, B = 1, 2", "def f(x):\n    x._found = 1"],
+)  # fmt: skip
 def test_a_name_that_is_a_riddle_is_found(text):
     assert len(riddles(text)) == 1
     assert (

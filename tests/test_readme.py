@@ -21,10 +21,8 @@ from hertzwerk.runtime.handbook.reference_pages import GENERATED
 
 ROOT = Path(__file__).parents[1]
 DOCUMENTS = (
-    "README.md",
-    "CONTRIBUTING.md",
-    *(f"{room}/README.md" for room in ("derive", "derive/laws", "derive/scenes", "runtime", "tests")),
-)
+    "README.md", "CONTRIBUTING.md", *(f"{room}/README.md" for room in ("derive", "derive/laws", "derive/scenes", "runtime", "tests")),
+)  # fmt: skip
 HANDBOOK = Path("runtime", "handbook")
 PAGES = tuple(page.relative_to(ROOT).as_posix() for page in sorted((ROOT / HANDBOOK).rglob("*.md")))
 TEXTS = {name: (ROOT / name).read_text(encoding="utf-8") for name in (*DOCUMENTS, *PAGES)}

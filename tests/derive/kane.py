@@ -49,15 +49,10 @@ class Link:
         k = int(np.argmax(np.abs(axis)))
         x, y, z = np.eye(3)
         return {
-            "R": [("R", axis)],
-            "P": [("P", axis)],
-            "C": [("P", axis), ("R", axis)],
-            "L": [("P", np.eye(3)[(k + 1) % 3]), ("P", np.eye(3)[(k + 2) % 3]), ("R", axis)],
-            "U": [("R", axis), ("R", second)],
-            "S": [("S", axis)],
-            "F": [("P", x), ("P", y), ("P", z), ("S", axis)],
-            "W": [],
-        }[self.kind]
+            "R": [("R", axis)], "P": [("P", axis)], "C": [("P", axis), ("R", axis)],
+            "L": [("P", np.eye(3)[(k + 1) % 3]), ("P", np.eye(3)[(k + 2) % 3]), ("R", axis)], "U": [("R", axis), ("R", second)], "S": [("S", axis)],
+            "F": [("P", x), ("P", y), ("P", z), ("S", axis)], "W": [],
+        }[self.kind]  # fmt: skip
 
     @property
     def nq(self) -> int:
@@ -202,12 +197,8 @@ class Tree:
 
         def vector(frame: Any, name: str, values: Sequence[float]) -> Any:
             return sum(
-                (
-                    symbol(f"{name}{k}", value) * along
-                    for k, (value, along) in enumerate(zip(values, frame, strict=True))
-                ),
-                me.Vector(0),
-            )
+                (symbol(f"{name}{k}", value) * along for k, (value, along) in enumerate(zip(values, frame, strict=True))), me.Vector(0),
+            )  # fmt: skip
 
         def turned(frame: Any, name: str, turn: tuple[str, float] | None) -> Any:
             if turn is None:

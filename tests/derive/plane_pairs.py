@@ -44,13 +44,8 @@ def check_gradient(derived, states, h=1e-6, rtol=1e-6, atol=1e-3):
     """Forces are minus the gradient of the stored energy, and their derivatives by CasADi, as implicit methods take them, are differences."""
     x = ca.SX.sym("x", 4)
     known = {
-        "q": x,
-        "u": ca.SX.zeros(4),
-        "z": ca.SX.zeros(len(derived.MEMORY)),
-        "m": ca.SX(0, 1),
-        "c": ca.SX(derived.c),
-        "t": ca.SX(0),
-    }
+        "q": x, "u": ca.SX.zeros(4), "z": ca.SX.zeros(len(derived.MEMORY)), "m": ca.SX(0, 1), "c": ca.SX(derived.c), "t": ca.SX(0),
+    }  # fmt: skip
     force = derived.names["contact_touch"](*(known[name] for name in derived.arguments("contact_touch")))[0]
     value, slope = ca.Function("force", [x], [force]), ca.Function("slope", [x], [ca.jacobian(force, x)])
 

@@ -43,12 +43,8 @@ def sliding(pair, wear, lift=0, coordinates="tree"):
     cart = hd.Body("cart", p("cart_mass", "kg", 1))
     joints = hd.Prismatic("along", hd.GROUND, cart, axis=hd.X), hd.Prismatic("down", cart, BLOCK, axis=hd.Y)
     effects = (
-        hd.ConstantSpeed("drive", "along", p("speed", "m/s", V)),
-        DOWN,
-        hd.Contact(pair.name, *LAW),
-        wear,
-        hd.EnergyLedger(),
-    )
+        hd.ConstantSpeed("drive", "along", p("speed", "m/s", V)), DOWN, hd.Contact(pair.name, *LAW), wear, hd.EnergyLedger(),
+    )  # fmt: skip
     start = hd.Start(position={"down": lift - p("sag", "um", M * G)})
     return hd.Scene(hd.Mechanism("slides", joints, pairs=(pair,)), effects, SCALES, start, coordinates=coordinates)
 
@@ -82,22 +78,16 @@ def journal(first, second, sectors=16, coordinates="tree", load_ratio=0):
     """A shaft that turns at a constant speed in a fixed bush, under its weight, and that times a cosine of its angle."""
     hub = hd.Body("hub", p("hub_mass", "kg", 1))
     joints = (
-        hd.Prismatic("across", hd.GROUND, hub, axis=hd.X),
-        hd.Prismatic("down", hub, BLOCK, axis=hd.Y),
-        hd.Revolute("spin", BLOCK, SHAFT, axis=hd.Z),
-    )
+        hd.Prismatic("across", hd.GROUND, hub, axis=hd.X), hd.Prismatic("down", hub, BLOCK, axis=hd.Y), hd.Revolute("spin", BLOCK, SHAFT, axis=hd.Z),
+    )  # fmt: skip
     pair = hd.PinInBush("bearing", SHAFT.at(0, 0, 0), hd.GROUND.at(0, 0, 0), hd.Z, p("bush_radius", "mm", 10),
                         p("clearance", "mm", 0.1), p("length", "mm", 20))  # fmt: skip
     spin = p("spin", "rad/s", SPIN)
     beat = hd.JointForce("beat", "down", -p("beat", "N", load_ratio * 2 * M * G) * sp.cos(spin * hd.T))
     effects = (
-        hd.ConstantSpeed("drive", "spin", spin),
-        DOWN,
-        hd.Contact("bearing", *LAW),
-        hd.Wear("wear", "bearing", first, second, sectors, acceleration=ACCELERATION),
-        *([beat] if load_ratio else []),
-        hd.EnergyLedger(),
-    )
+        hd.ConstantSpeed("drive", "spin", spin), DOWN, hd.Contact("bearing", *LAW),
+        hd.Wear("wear", "bearing", first, second, sectors, acceleration=ACCELERATION), *([beat] if load_ratio else []), hd.EnergyLedger(),
+    )  # fmt: skip
     start = hd.Start(position={"down": p("low", "um", -100 - 2 * M * G * (1 + load_ratio))})
     return hd.Scene(hd.Mechanism("turns", joints, pairs=(pair,)), effects, SCALES, start, coordinates=coordinates)
 
@@ -191,11 +181,8 @@ def check_track(text):
     derived, rng = Derived(text=text), np.random.default_rng(5)
     for deep in (-1e-5, 1e-6, 2e-5):
         x, angle, u, a = (
-            rng.uniform(-2 * TRACK, 2 * TRACK),
-            rng.uniform(0, 6),
-            rng.uniform(-1, 1, 3),
-            rng.uniform(-1, 1, 3),
-        )
+            rng.uniform(-2 * TRACK, 2 * TRACK), rng.uniform(0, 6), rng.uniform(-1, 1, 3), rng.uniform(-1, 1, 3),
+        )  # fmt: skip
         worn = rng.uniform(0, 2e-5, COUNT)
         less, depth, more = kernel(COUNT, 2 * np.pi / TRACK * (x + np.array([-1e-6, 0, 1e-6]))) @ worn
         slope, load = (more - less) / 2e-6, STIFFNESS * deep
@@ -235,10 +222,8 @@ def check_spot(text, name):
 
 
 CHECKS = {
-    "journal": check_journal,
-    "track": check_track,
-    **{name: lambda text, name=name: check_spot(text, name) for name in ("sphere", "corner")},
-}
+    "journal": check_journal, "track": check_track, **{name: lambda text, name=name: check_spot(text, name) for name in ("sphere", "corner")},
+}  # fmt: skip
 
 
 def numbers(source: str) -> Iterator[tuple[str, str]]:

@@ -51,14 +51,8 @@ def test_the_peak_of_an_oscillator_under_a_load(push):
     K, m, c, v0 = 1.2e7, 2.6, 530.0, 0.012
     times = np.linspace(0, 1.7e-3, 20001)
     found = solve_ivp(
-        lambda _, x: [x[1], (push - K * x[0] - c * x[1]) / m],
-        (0, times[-1]),
-        [0, v0],
-        "DOP853",
-        times,
-        rtol=1e-12,
-        atol=1e-18,
-    )
+        lambda _, x: [x[1], (push - K * x[0] - c * x[1]) / m], (0, times[-1]), [0, v0], "DOP853", times, rtol=1e-12, atol=1e-18,
+    )  # fmt: skip
     assert closed.peak_of_oscillator(K, m, c, v0, push) == pytest.approx(
         np.max(K * found.y[0] + c * found.y[1]), rel=1e-7
     )

@@ -43,12 +43,9 @@ def test_a_crest_beside_steps_of_rounding_is_not_found_at_the_steps(monkeypatch)
     ("gear", "message"),
     [
         (Coupling("gear", "right", "left", ratio=-1), "positions: .*end open by .*, gear off by"),
-        (
-            Coupling("gear", "right", "left", ratio=2, offset=Parameter("off", "rad", -1)),
-            "speeds: .*end open by .*, gear off by",
-        ),
+        (Coupling("gear", "right", "left", ratio=2, offset=Parameter("off", "rad", -1)), "speeds: .*end open by .*, gear off by"),
     ],
-)
+)  # fmt: skip
 def test_a_gear_that_contradicts_the_bars_at_the_start_is_refused_by_name(gear, message):
     model = load(geared_parallelogram().replace(gear=gear))
     with pytest.raises(InputError, match=message):

@@ -20,19 +20,13 @@ MOST = 400_000  # steps
 ELASTIC, HYSTERESIS, SECANT, SECANT_APPROACHING, TANGENT, POWER = range(6)
 
 HYSTERESIS_FACTORS = {
-    "hunt_crossley": lambda e: 1.5 * (1 - e),
-    "herbert_mcwhannell": lambda e: 6 * (1 - e) / ((2 * e - 1) ** 2 + 3),
-    "lee_wang": lambda e: 0.75 * (1 - e),
-    "lankarani_nikravesh": lambda e: 0.75 * (1 - e * e),
-    "gonthier": lambda e: (1 - e * e) / e,
-    "zhiying_qishao": lambda e: 0.75 * (1 - e * e) * math.exp(2 * (1 - e)),
-    "flores": lambda e: 8 * (1 - e) / (5 * e),
-    "gharib_hurmuzlu": lambda e: 1 / e,
-    "hu_guo": lambda e: 3 * (1 - e) / (2 * e),
-    "carvalho_martins": lambda e: 3 * (1 - e) * (11 - e) / (2 * (1 + 9 * e)),
-    "safaeifar_farshidianfar": lambda e: 5 * (1 - e) / (4 * e),
+    "hunt_crossley": lambda e: 1.5 * (1 - e), "herbert_mcwhannell": lambda e: 6 * (1 - e) / ((2 * e - 1) ** 2 + 3),
+    "lee_wang": lambda e: 0.75 * (1 - e), "lankarani_nikravesh": lambda e: 0.75 * (1 - e * e), "gonthier": lambda e: (1 - e * e) / e,
+    "zhiying_qishao": lambda e: 0.75 * (1 - e * e) * math.exp(2 * (1 - e)), "flores": lambda e: 8 * (1 - e) / (5 * e),
+    "gharib_hurmuzlu": lambda e: 1 / e, "hu_guo": lambda e: 3 * (1 - e) / (2 * e),
+    "carvalho_martins": lambda e: 3 * (1 - e) * (11 - e) / (2 * (1 + 9 * e)), "safaeifar_farshidianfar": lambda e: 5 * (1 - e) / (4 * e),
     "exact": lambda e: _exact(e),
-}
+}  # fmt: skip
 
 
 def _exact(e: float) -> float:
@@ -87,10 +81,8 @@ class Body:
         if self.plane:
             return math.sin(self.tilt), math.cos(self.tilt), 0.0
         return (
-            math.sin(self.tilt) * math.cos(self.turn),
-            math.sin(self.tilt) * math.sin(self.turn),
-            math.cos(self.tilt),
-        )
+            math.sin(self.tilt) * math.cos(self.turn), math.sin(self.tilt) * math.sin(self.turn), math.cos(self.tilt),
+        )  # fmt: skip
 
     @property
     def law(self) -> tuple[int, float, float]:
@@ -99,18 +91,12 @@ class Body:
         if self.damping in HYSTERESIS_FACTORS:
             return HYSTERESIS, HYSTERESIS_FACTORS[self.damping](e), 0.0
         return {
-            "elastic": lambda: (ELASTIC, 0.0, 0.0),
-            "kelvin_voigt": lambda: (SECANT, 2 * _log_ratio(e), 0.0),
+            "elastic": lambda: (ELASTIC, 0.0, 0.0), "kelvin_voigt": lambda: (SECANT, 2 * _log_ratio(e), 0.0),
             "tsuji": lambda: (SECANT, math.sqrt(5) * _log_ratio(e), 0.0),
-            "jankowski": lambda: (
-                SECANT_APPROACHING,
-                9 * math.sqrt(5) * (1 - e * e) / (e * (e * (9 * math.pi - 16) + 16)),
-                0.0,
-            ),
+            "jankowski": lambda: (SECANT_APPROACHING, 9 * math.sqrt(5) * (1 - e * e) / (e * (e * (9 * math.pi - 16) + 16)), 0.0),
             "ristow": lambda: (POWER, self.known["damping_rate"] * self.mass, 0.0),
-            "kuwabara_kono": lambda: (TANGENT, self.known["material_time"], 0.0),
-            "power_damping": lambda: (POWER, self.known["damping"], 1.0),
-        }[self.damping]()
+            "kuwabara_kono": lambda: (TANGENT, self.known["material_time"], 0.0), "power_damping": lambda: (POWER, self.known["damping"], 1.0),
+        }[self.damping]()  # fmt: skip
 
     def line(self, perturbed: float = 0.0, at: Sequence[float] = ()) -> str:
         """Line that the oracle reads; `perturbed` by a share of the start, of a sign and a size that differ by entry; `at` rising times."""

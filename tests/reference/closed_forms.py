@@ -28,17 +28,12 @@ Number = float | str  # a str such as "0.9" is that decimal exactly
 
 # h(e) of the laws with m = n, `shared/reference/contact-laws.md` section 1, where each is cited.
 FACTORS: dict[str, Callable[[Any], Any]] = {
-    "hunt_crossley": lambda e: 3 * (1 - e) / 2,
-    "herbert_mcwhannell": lambda e: 6 * (1 - e) / ((2 * e - 1) ** 2 + 3),
-    "lee_wang": lambda e: 3 * (1 - e) / 4,
-    "lankarani_nikravesh": lambda e: 3 * (1 - e**2) / 4,
-    "gonthier": lambda e: (1 - e**2) / e,
-    "zhiying_qishao": lambda e: 3 * (1 - e**2) * mp.exp(2 * (1 - e)) / 4,
-    "flores": lambda e: 8 * (1 - e) / (5 * e),
-    "gharib_hurmuzlu": lambda e: 1 / e,
-    "hu_guo": lambda e: 3 * (1 - e) / (2 * e),
+    "hunt_crossley": lambda e: 3 * (1 - e) / 2, "herbert_mcwhannell": lambda e: 6 * (1 - e) / ((2 * e - 1) ** 2 + 3),
+    "lee_wang": lambda e: 3 * (1 - e) / 4, "lankarani_nikravesh": lambda e: 3 * (1 - e**2) / 4, "gonthier": lambda e: (1 - e**2) / e,
+    "zhiying_qishao": lambda e: 3 * (1 - e**2) * mp.exp(2 * (1 - e)) / 4, "flores": lambda e: 8 * (1 - e) / (5 * e),
+    "gharib_hurmuzlu": lambda e: 1 / e, "hu_guo": lambda e: 3 * (1 - e) / (2 * e),
     "carvalho_martins": lambda e: 3 * (1 - e) * (11 - e) / (2 * (1 + 9 * e)),
-}
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -125,12 +120,9 @@ def collision(K: Number, n: Number, mass: Number, v0: Number, h: Number = 0.0) -
         # dF/dt = 0 is n w = h (n + 1) I(w): one root on the loading branch.
         peak = _root(lambda w: n * w - h * (n + 1) * _loading(h, w), mpf(0), mpf(1)) if h else mpf(0)
         return Collision(
-            depth=float(depth(mpf(0))),
-            peak_force=float(force(peak)),
-            duration=float(_duration(K, n, mass, v0, h)),
-            restitution=float(e),
+            depth=float(depth(mpf(0))), peak_force=float(force(peak)), duration=float(_duration(K, n, mass, v0, h)), restitution=float(e),
             dissipated=float(energy * (1 - e**2) / 2),
-        )
+        )  # fmt: skip
 
 
 def _duration(K: Any, n: Any, mass: Any, v0: Any, h: Any) -> Any:

@@ -44,11 +44,9 @@ def shapes(ends: tuple[str, str], count: int, cubics: bool) -> list[Shape]:
         found.append(
             (
                 lambda x, b=b, s=s, c=size: (np.cosh(b * x) - np.cos(b * x) - s * (np.sinh(b * x) - np.sin(b * x))) / c,
-                lambda x, b=b, s=s, c=size: (
-                    b * (np.sinh(b * x) + np.sin(b * x) - s * (np.cosh(b * x) - np.cos(b * x))) / c
-                ),
+                lambda x, b=b, s=s, c=size: (b * (np.sinh(b * x) + np.sin(b * x) - s * (np.cosh(b * x) - np.cos(b * x))) / c),
             )
-        )
+        )  # fmt: skip
     return found
 
 

@@ -39,11 +39,8 @@ def balls(n: int) -> hd.Scene:
     centres = [body.at(0, 0, 0) for body in bodies]
     pairs = (
         *hd.every_pair("pair", centres, R),
-        *(
-            hd.SphereOnPlane(f"floor_{i}", centre, R, plane=hd.GROUND.at(0, 0, 0), normal=hd.Y)
-            for i, centre in enumerate(centres)
-        ),
-    )
+        *(hd.SphereOnPlane(f"floor_{i}", centre, R, plane=hd.GROUND.at(0, 0, 0), normal=hd.Y) for i, centre in enumerate(centres)),
+    )  # fmt: skip
     position = {
         f"free_{i}.{axis}": hd.Parameter(f"{axis}_{i}", "m", x)
         for i in range(n)
@@ -143,8 +140,6 @@ def guarded_crank(guards: int) -> hd.Scene:
     contact = scene.effect("slider_pin")
     return hd.Scene(
         hd.Mechanism(f"guarded_crank_{guards}", scene.mechanism.joints, (*scene.mechanism.pairs, *pairs)),
-        effects=(*scene.effects, *(hd.Contact(pair.name, contact.stiffness, contact.damping) for pair in pairs)),
-        start=scene.start,
-        scales=scene.scales,
-        summary=f"slider-crank with a clearance joint and {guards} guards",
-    )
+        effects=(*scene.effects, *(hd.Contact(pair.name, contact.stiffness, contact.damping) for pair in pairs)), start=scene.start,
+        scales=scene.scales, summary=f"slider-crank with a clearance joint and {guards} guards",
+    )  # fmt: skip

@@ -85,22 +85,10 @@ def test_every_linear_contact_that_is_damped_pulls_before_it_opens(law):
 
 
 HARD = replace(
-    DOWN_Z,
-    mass=1.74036,
-    inertia=(2.6354e-4, 3.10187e-4, 3.28556e-4),
-    offset=(0.00665304, 0.0, 0.0),
-    radius=0.0449658,
-    tilt=0.434577,
-    stiffness=1.50019e7,
-    damping="lee_wang",
-    known={"restitution": 0.570645},
-    mu_k=0.471913,
-    mu_s=0.471913,
-    x=(0.0, 0.0, 0.513057),
-    v=(0.222066, 0.0, 0.0),
-    w=(-7.35237, 0.697269, 0.0),
-    duration=0.66,
-)
+    DOWN_Z, mass=1.74036, inertia=(2.6354e-4, 3.10187e-4, 3.28556e-4), offset=(0.00665304, 0.0, 0.0), radius=0.0449658, tilt=0.434577,
+    stiffness=1.50019e7, damping="lee_wang", known={"restitution": 0.570645}, mu_k=0.471913, mu_s=0.471913, x=(0.0, 0.0, 0.513057),
+    v=(0.222066, 0.0, 0.0), w=(-7.35237, 0.697269, 0.0), duration=0.66,
+)  # fmt: skip
 
 
 def test_quadruple_precision_agrees():
@@ -140,28 +128,13 @@ def test_events_at_one_time_are_distinguished(i):
 def test_a_contact_that_fades_is_released_before_its_gap_opens():
     """N = K d (d + 2 c d') falls with d < 2 c |d'| however slowly the body is lifted: here one that rolls off by its own offset."""
     fading = Body(
-        plane=True,
-        damping="kuwabara_kono",
-        exponent=2,
-        mass=0.0204732442856557,
-        inertia=(1.5504163834065456e-06, 1.7583096928891264e-06, 2.827982835111447e-06),
-        offset=(0.0009563564834474709, -0.004836018390749881, 0.0),
-        radius=0.01669144111644585,
-        tilt=-0.29969991772840937,
-        turn=0.0,
-        stiffness=287717444167.12976,
-        known={"material_time": 4.678677502281178e-05},
-        mu_k=0.4531678840645099,
-        mu_s=0.5859044704646458,
-        duration=0.46,
-        x=(-0.008950603865184377, 0.013097539208504979, 0.0),
-        q=(0.5437594592327791, 0.0, 0.0, 0.8392411158271952),
-        angle=1.9917721815948815,
-        v=(-0.19122123690956322, -0.05908879317079496, 0.0),
-        w=(0.0, 0.0, 10.181649532020174),
-        depth=5.62410596149923e-06,
-        pace=0.05,
-    )
+        plane=True, damping="kuwabara_kono", exponent=2, mass=0.0204732442856557,
+        inertia=(1.5504163834065456e-06, 1.7583096928891264e-06, 2.827982835111447e-06), offset=(0.0009563564834474709, -0.004836018390749881, 0.0),
+        radius=0.01669144111644585, tilt=-0.29969991772840937, turn=0.0, stiffness=287717444167.12976, known={"material_time": 4.678677502281178e-05},
+        mu_k=0.4531678840645099, mu_s=0.5859044704646458, duration=0.46, x=(-0.008950603865184377, 0.013097539208504979, 0.0),
+        q=(0.5437594592327791, 0.0, 0.0, 0.8392411158271952), angle=1.9917721815948815, v=(-0.19122123690956322, -0.05908879317079496, 0.0),
+        w=(0.0, 0.0, 10.181649532020174), depth=5.62410596149923e-06, pace=0.05,
+    )  # fmt: skip
     one, other = motions([fading])[0], motions([fading], quad=True)[0]
     assert [kind for _, kind, _ in one.events[-3:]] == ["slips", "released", "opens"]
     np.testing.assert_allclose(one.state, other.state, rtol=0, atol=1e-13)
@@ -171,13 +144,10 @@ FAULTS = {
     "slip is found late": ("g[n] = B->mu_s * N - size(f)", "g[n] = 1.001 * B->mu_s * N - size(f)"),
     "an arm of the friction force": ("P->rho[i] = P->c[i] - B->R", "P->rho[i] = P->c[i] - (B->R - 1e-6)"),
     "friction a millionth too large": ("limit = -B->mu_k * N;", "limit = -1.000001L * B->mu_k * N;"),
-    "the latched speed": (
-        "B->v0 = most(P.v, B->floor);",
-        "B->v0 = most(P.v, B->floor) * 1.000001L;",
-    ),
+    "the latched speed": ("B->v0 = most(P.v, B->floor);", "B->v0 = most(P.v, B->floor) * 1.000001L;"),
     "the centripetal term": ("b[i] += a[i] + turn[i];", "b[i] += a[i] + 1.000001L * turn[i];"),
     "the gyroscopic moment": ("moment[i] -= dot(P->A[i], gyro);", "moment[i] += 0 * dot(P->A[i], gyro);"),
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("fault", FAULTS)

@@ -35,19 +35,12 @@ def workshop() -> hd.Scene:
         ),
         effects=(
             hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), -hd.Z),
-            *(
-                hd.Contact(name, power(hd.Parameter("K", "N/m^1.5", 1e6), sp.Rational(3, 2)))
-                for name in ("slope", "own")
-            ),
-            hd.ConstantSpeed("motor", "column.angle", hd.Parameter("speed", "rad/s", 2)),
-            hd.JointSpring("lift", "column.travel", spring),
-            hd.JointDamper("ease", "knee.angle_2", hd.Parameter("damping", "N m s", 1)),
-            hd.JointForce("shove", "table.x", FORCE),
-            hd.PointSpring("pull", arm.at(SIDE, 0, 0), hd.GROUND.at(0, SIDE, 0), spring),
-            hd.PointForce("load", arm.at(SIDE, 0, 0), (0, 0, -FORCE)),
+            *(hd.Contact(name, power(hd.Parameter("K", "N/m^1.5", 1e6), sp.Rational(3, 2))) for name in ("slope", "own")),
+            hd.ConstantSpeed("motor", "column.angle", hd.Parameter("speed", "rad/s", 2)), hd.JointSpring("lift", "column.travel", spring),
+            hd.JointDamper("ease", "knee.angle_2", hd.Parameter("damping", "N m s", 1)), hd.JointForce("shove", "table.x", FORCE),
+            hd.PointSpring("pull", arm.at(SIDE, 0, 0), hd.GROUND.at(0, SIDE, 0), spring), hd.PointForce("load", arm.at(SIDE, 0, 0), (0, 0, -FORCE)),
             hd.PointForce("gust", arm.at(SIDE, 0, 0), (FORCE * sp.cos(hd.Parameter("rate", "rad/s", 1) * hd.T), 0, 0)),
-            hd.BodyTorque("twist", crown, (0, hd.Parameter("torque", "N m", 5), 0), axes=crown),
-            hd.EnergyLedger(),
+            hd.BodyTorque("twist", crown, (0, hd.Parameter("torque", "N m", 5), 0), axes=crown), hd.EnergyLedger(),
         ),
         scales=hd.Scales(length=SIDE, speed=hd.Parameter("pace", "m/s", 1), arm=SIDE),
-    )
+    )  # fmt: skip

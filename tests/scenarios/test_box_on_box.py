@@ -44,11 +44,9 @@ def pair(
     }
     return hd.Scene(
         hd.Mechanism("pair", (joint("A", hd.GROUND, a), joint("B", hd.GROUND, b)), (touch,)),
-        (*(effects or (hd.Contact("hit", hd.laws.power(K, 1)),)), hd.EnergyLedger()),
-        SIZES,
-        hd.Start(position=position or at(A__y=1), speed=speeds),
+        (*(effects or (hd.Contact("hit", hd.laws.power(K, 1)),)), hd.EnergyLedger()), SIZES, hd.Start(position=position or at(A__y=1), speed=speeds),
         coordinates=coordinates,
-    )
+    )  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -164,11 +162,9 @@ def held(offset, *effects, law=DAMPED, duration="0.3 s", **start):
     touch = hd.BoxOnBox("hit", a.at(0, 0, 0), W, H, hd.GROUND.at(0, 0, 0), W, H, R)
     start = at(A__x=offset, A__y=h - 1e-6) if not start else at(A__x=offset, **start)
     scene = hd.Scene(
-        hd.Mechanism("held", (hd.Planar("A", hd.GROUND, a),), (touch,)),
-        (GRAVITY, hd.Contact("hit", *law), *effects, hd.EnergyLedger()),
-        SIZES,
+        hd.Mechanism("held", (hd.Planar("A", hd.GROUND, a),), (touch,)), (GRAVITY, hd.Contact("hit", *law), *effects, hd.EnergyLedger()), SIZES,
         hd.Start(position=start),
-    )
+    )  # fmt: skip
     return simulate(load(scene), duration=duration, tolerance=1e-7)
 
 
@@ -228,11 +224,9 @@ def test_a_plank_across_a_plank_rests_on_four_crossings():
     plank = hd.Body.box("plank", L, S, S, density=RHO)
     touch = hd.BoxOnBox("hit", plank.at(0, 0, 0), L, S, hd.GROUND.at(0, 0, 0), S, S, R, S, L)
     scene = hd.Scene(
-        hd.Mechanism("across", (hd.Free("A", hd.GROUND, plank),), (touch,)),
-        (GRAVITY, hd.Contact("hit", *DAMPED), hd.EnergyLedger()),
-        SIZES,
+        hd.Mechanism("across", (hd.Free("A", hd.GROUND, plank),), (touch,)), (GRAVITY, hd.Contact("hit", *DAMPED), hd.EnergyLedger()), SIZES,
         hd.Start(position=at(A__x=x, A__y=s)),
-    )
+    )  # fmt: skip
     run = simulate(load(scene), duration="0.25 s", tolerance=1e-6, method="esdirk")
     forces = {k: run.at(np.array([0.25]))[f"hit_{k}.normal_force"][0] for k in range(1, 25)}
     carry = sorted(value for value in forces.values() if value > 1e-3)
@@ -279,8 +273,6 @@ def test_rectangles_stay_in_their_plane():
         )
         load(
             hd.Scene(
-                hd.Mechanism("bad", (hd.Planar("A", hd.GROUND, body, normal=hd.Z),), (touch,)),
-                (hd.Contact("hit", hd.laws.power(K, 1)),),
-                SIZES,
+                hd.Mechanism("bad", (hd.Planar("A", hd.GROUND, body, normal=hd.Z),), (touch,)), (hd.Contact("hit", hd.laws.power(K, 1)),), SIZES,
             )
-        )
+        )  # fmt: skip

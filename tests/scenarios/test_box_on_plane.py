@@ -45,15 +45,13 @@ def standing(
     return hd.Scene(
         hd.Mechanism("standing", (joint,), (floor,)),
         (
-            hd.Gravity("gravity", hd.Parameter("g", "m/s^2", G), down),
-            law or hd.Contact("floor", hd.laws.power(STIFFNESS, 1)),
-            *effects,
+            hd.Gravity("gravity", hd.Parameter("g", "m/s^2", G), down), law or hd.Contact("floor", hd.laws.power(STIFFNESS, 1)), *effects,
             hd.EnergyLedger(),
         ),
         hd.Scales(length=hd.Parameter("size", "mm", 1), speed=hd.Parameter("pace", "m/s", 0.1), arm=W),
         hd.Start(position=at),
         coordinates=coordinates,
-    )
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize(

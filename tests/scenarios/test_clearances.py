@@ -51,11 +51,9 @@ def test_a_ball_swings_in_its_socket_as_an_elastic_pendulum():
         length, angle, length_rate, angle_rate = y
         push = K * (length - C) ** 1.5
         return [
-            length_rate,
-            angle_rate,
-            length * angle_rate**2 + G * np.cos(angle) - push / M,
+            length_rate, angle_rate, length * angle_rate**2 + G * np.cos(angle) - push / M,
             -(2 * length_rate * angle_rate + G * np.sin(angle)) / length,
-        ]
+        ]  # fmt: skip
 
     run = simulate(load("ball_in_socket"), duration=0.5, tolerance=1e-10)
     length, angle, _, _ = solve_ivp(rates, (0, 0.5), [C + REST, 0.05, 0, 0], **TIGHT).y[:, -1]
@@ -207,14 +205,8 @@ def test_a_cylinder_set_down_sliding_ends_rolling_at_two_thirds_of_its_speed():
     pair = hd.CylinderOnPlane("touch", roller.at(0, 0, 0), hd.Z, radius, hd.Parameter("length", "m", 0.3), THERE, hd.Y)
     rub = hd.Friction("rub", "touch", smooth_coulomb(hd.Parameter("mu", "1", 0.2), hd.Parameter("v_s", "m/s", 1e-3)))
     run = moving(
-        pair,
-        FALL,
-        hd.Contact("touch", STIFF),
-        rub,
-        joint=hd.Planar("float", hd.GROUND, roller),
-        y=0.1 - REST,
-        x_speed=1.5,
-    )(0.6)
+        pair, FALL, hd.Contact("touch", STIFF), rub, joint=hd.Planar("float", hd.GROUND, roller), y=0.1 - REST, x_speed=1.5,
+    )(0.6)  # fmt: skip
     assert run["float.x_speed"][-1] == pytest.approx(1.0, rel=1e-4)
     assert run["float.angle_speed"][-1] == pytest.approx(-10.0, rel=1e-3)
     sliding = np.interp(0.1, run.t, run["float.x_speed"])
@@ -233,11 +225,9 @@ def test_a_cylinder_free_to_tilt_lies_on_its_two_rims_and_falls_over_onto_one():
     scales = hd.Scales(length=hd.Parameter("deep", "m", 1e-5), speed=PACE, arm=SIZE)
     model = load(
         hd.Scene(
-            hd.Mechanism("lying", (hd.Free("float", hd.GROUND, roller),), rims),
-            (FALL, *contacts, hd.EnergyLedger()),
-            scales,
+            hd.Mechanism("lying", (hd.Free("float", hd.GROUND, roller),), rims), (FALL, *contacts, hd.EnergyLedger()), scales,
         )
-    )
+    )  # fmt: skip
     deep = (M * G / 2 / K) ** (2 / 3)
     still = simulate(model, duration=0.05, initial={"float.y": (0.1 - deep, "m")}, tolerance=1e-6)
     for rim in rims:
@@ -257,10 +247,8 @@ def test_a_cylinder_free_to_tilt_lies_on_its_two_rims_and_falls_over_onto_one():
 def clearances(count):
     """A driven slider-crank: crank pin and slider pin with clearance, and for three the slider in a guide of two faces and four corners."""
     r, l, c = (
-        hd.Parameter("crank_length", "m", 0.05),
-        hd.Parameter("rod_length", "m", 0.12),
-        hd.Parameter("clearance", "mm", 0.2),
-    )
+        hd.Parameter("crank_length", "m", 0.05), hd.Parameter("rod_length", "m", 0.12), hd.Parameter("clearance", "mm", 0.2),
+    )  # fmt: skip
     w, bush = hd.Parameter("crank_speed", "rad/s", 100), hd.Parameter("bush", "mm", 10)
     a, b = hd.Parameter("half_length", "m", 0.03), hd.Parameter("half_width", "m", 0.02)
     crank = hd.Body("crank", hd.Parameter("crank_mass", "kg", 0.3), hd.Parameter("crank_inertia", "kg m^2", 1e-4))

@@ -34,12 +34,9 @@ def states(history):
     angle, turning = MECHANISM.w * history.t, MECHANISM.w
     return np.array(
         [
-            history["crank_pin.angle"] + angle,
-            history["guide.travel"],
-            history["crank_pin.speed"] + turning,
-            history["guide.speed"],
+            history["crank_pin.angle"] + angle, history["guide.travel"], history["crank_pin.speed"] + turning, history["guide.speed"],
         ]
-    )
+    )  # fmt: skip
 
 
 def measure(crank, method, friction, tolerances=TOLERANCES):

@@ -107,12 +107,10 @@ def test_two_rotors_that_graze_each_other():
             hd.ConstantSpeed("quick", "left", hd.Parameter("w_1", "rad/s", 2 * np.pi * 50)),
             hd.Ramp("slow", "right", hd.Parameter("w_2", "rad/s", -2 * np.pi * 25), rise=hd.Parameter("rise", "ms", 1)),
             hd.Contact("heads", hd.laws.power(hd.Parameter("K", "N/m^1.5", STIFFNESS), 1.5)),
-            hd.Friction(
-                "rub", "heads", hd.laws.smooth_coulomb(hd.Parameter("mu", "1", 0.2), hd.Parameter("v_s", "m/s", 0.01))
-            ),
+            hd.Friction("rub", "heads", hd.laws.smooth_coulomb(hd.Parameter("mu", "1", 0.2), hd.Parameter("v_s", "m/s", 0.01))),
         ),
         hd.Scales(length=STROKE, speed=hd.Parameter("pace", "m/s", 10), arm=arm),
-    )
+    )  # fmt: skip
     run = simulate(load(scene), duration="0.401 s", accuracy=1e-6)
     assert run.outcome.finished
     times = np.linspace(0, 0.401, 400_001)[1:]

@@ -234,19 +234,13 @@ def test_every_method_keeps_energy_and_result(method):
 def test_both_coordinates_give_the_same_motion_and_reactions():
     runs = [
         simulate(
-            flexible_slider_crank.with_coordinates(kind),
-            duration="4 ms",
-            tolerance=1e-9,
-            parameters={"damping_ratio": 0.01},
+            flexible_slider_crank.with_coordinates(kind), duration="4 ms", tolerance=1e-9, parameters={"damping_ratio": 0.01},
         )
         for kind in ("tree", "absolute")
-    ]
+    ]  # fmt: skip
     for name, size in (
-        ("coupler.bend_1", 1e-3),
-        ("guide.travel", 0.3),
-        ("crank_pin.reaction_x", 1e3),
-        ("slider_pin.reaction_y", 1e3),
-    ):
+        ("coupler.bend_1", 1e-3), ("guide.travel", 0.3), ("crank_pin.reaction_x", 1e3), ("slider_pin.reaction_y", 1e3),
+    ):  # fmt: skip
         one, other = (run[name][-1] for run in runs)
         assert one == pytest.approx(other, abs=1e-7 * size), name
 

@@ -49,12 +49,8 @@ def turn(axis, angle):
 
 
 ERRORS = {
-    "dop853": (1e-10, 1e-8),
-    "dopri5": (1e-9, 1e-6),
-    "rodas": (1e-8, 1e-5),
-    "esdirk": (1e-7, 1e-4),
-    "cvodes": (1e-10, 1e-6),
-}
+    "dop853": (1e-10, 1e-8), "dopri5": (1e-9, 1e-6), "rodas": (1e-8, 1e-5), "esdirk": (1e-7, 1e-4), "cvodes": (1e-10, 1e-6),
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("method", ERRORS)
@@ -120,19 +116,12 @@ def pendulum(joint, effects=(FALL,)):
 def test_a_spherical_pendulum_in_a_plane_is_a_plane_pendulum(method):
     tolerance = 1e-7 if method == "rodas" else 1e-10
     flat = simulate(
-        pendulum(lambda bob: hd.Revolute("pin", hd.GROUND, bob, hd.Z)),
-        duration=5.0,
-        tolerance=1e-11,
-        initial={"pin.angle": 2.5},
-    )
+        pendulum(lambda bob: hd.Revolute("pin", hd.GROUND, bob, hd.Z)), duration=5.0, tolerance=1e-11, initial={"pin.angle": 2.5},
+    )  # fmt: skip
     half = {"pin.q0": np.cos(1.25), "pin.q3": np.sin(1.25)}
     ball = simulate(
-        pendulum(lambda bob: hd.Spherical("pin", hd.GROUND, bob)),
-        duration=5.0,
-        tolerance=tolerance,
-        method=method,
-        initial=half,
-    )
+        pendulum(lambda bob: hd.Spherical("pin", hd.GROUND, bob)), duration=5.0, tolerance=tolerance, method=method, initial=half,
+    )  # fmt: skip
     times = np.linspace(0, 5, 101)
     swing, dense = flat.at(times)["pin.angle"], ball.at(times)
     assert 2 * np.unwrap(np.arctan2(dense["pin.q3"], dense["pin.q0"]), period=np.pi) == pytest.approx(
@@ -148,13 +137,8 @@ def ball_on_floor(joint, *, friction=False):
     ball = hd.Body("ball", MASS, inertia)
     floor = hd.SphereOnPlane("floor", ball.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), hd.Y)
     effects = [
-        FALL,
-        hd.Contact(
-            "floor",
-            power(hd.Parameter("stiffness", "N/m^1.5", 1e8), 1.5),
-            hunt_crossley(hd.Parameter("restitution", "1", 0.8)),
-        ),
-    ]
+        FALL, hd.Contact("floor", power(hd.Parameter("stiffness", "N/m^1.5", 1e8), 1.5), hunt_crossley(hd.Parameter("restitution", "1", 0.8))),
+    ]  # fmt: skip
     if friction:
         effects.append(
             hd.Friction(

@@ -159,11 +159,8 @@ FLIGHTS = {
     "four_bar_clearance": flights.four_bar,
 }
 TURN = {
-    "slider_crank_two_clearances": 0.012,
-    "slider_crank_three_clearances": 0.012,
-    "slider_crank_dc_motor": 0.012,
-    "four_bar_clearance": 0.06,
-}  # s
+    "slider_crank_two_clearances": 0.012, "slider_crank_three_clearances": 0.012, "slider_crank_dc_motor": 0.012, "four_bar_clearance": 0.06,
+}  # s  # fmt: skip
 
 
 @pytest.mark.parametrize("name", FLIGHTS)
@@ -190,10 +187,8 @@ def test_impacts_slow_a_crank_that_a_motor_drives():
     during = run.at(t)
     lost = (1e-4 + 2e-3) * (w - during["main_bearing.speed"])
     force, x, y = (
-        during["crank_pin.normal_force"],
-        during["crank_pin.eccentricity_x"],
-        during["crank_pin.eccentricity_y"],
-    )
+        during["crank_pin.normal_force"], during["crank_pin.eccentricity_x"], during["crank_pin.eccentricity_y"],
+    )  # fmt: skip
     phi, far = during["main_bearing.angle"], np.hypot(x, y)
     arm = 0.05 * (np.cos(phi) * y - np.sin(phi) * x) / far  # of the push on the pin, along -e, about the main bearing
     friction = 0.1 * 0.06 * np.max(force) * first.duration  # at most, on any arm

@@ -10,10 +10,8 @@ from reference.elastic_rods import Piece, frequencies
 SEED = 41
 ENDS = [("clamped", "free"), ("pinned", "pinned"), ("clamped", "clamped"), ("pinned", "free"), ("free", "free"), ("clamped", "pinned")]  # fmt: skip
 JOINTS = {
-    "weld": hd.Weld,
-    "hinge": lambda name, parent, child: hd.Revolute(name, parent, child, hd.Z),
-    "ball": hd.Spherical,
-}
+    "weld": hd.Weld, "hinge": lambda name, parent, child: hd.Revolute(name, parent, child, hd.Z), "ball": hd.Spherical,
+}  # fmt: skip
 
 
 def draw(number, *effects, fitted):

@@ -62,22 +62,14 @@ def test_a_hertz_stiffness_with_exponent_one_is_refused_with_the_lesson():
 
 @pytest.mark.parametrize(
     ("unit", "n", "found", "right"),
-    [
-        ("N/m^1.5", 1, "N/m^0.5", "3/2"),
-        ("N/m", 1.5, "N m^0.5", "1"),
-        ("Pa", 1, "N/m", "2"),
-        ("N/m^1.2", 1.1, "N/m^0.1", "6/5"),
-    ],
-)
+    [("N/m^1.5", 1, "N/m^0.5", "3/2"), ("N/m", 1.5, "N m^0.5", "1"), ("Pa", 1, "N/m", "2"), ("N/m^1.2", 1.1, "N/m^0.1", "6/5")],
+)  # fmt: skip
 def test_the_message_solves_for_the_exponent(unit, n, found, right):
     error = refusal(slider_crank.replace(slider_pin=Contact("slider_pin", power(Parameter("K", unit, 1e9), n))))
     force = error.findings[0]
     assert (force.effect, force.quantity, force.law, force.verdict) == (
-        "slider_pin",
-        "normal force",
-        "power",
-        "inconsistent",
-    )
+        "slider_pin", "normal force", "power", "inconsistent",
+    )  # fmt: skip
     assert (force.found, force.expected, force.consistent_exponent) == (found, "N", right)
 
 
@@ -322,12 +314,8 @@ def rescaled(request):
 
 @pytest.mark.by_turns(8)
 @pytest.mark.parametrize(
-    "factors",
-    [
-        pytest.param(factors, id=name, marks=[] if name == "together" else pytest.mark.exhaustive)
-        for name, factors in FACTORS.items()
-    ],
-)
+    "factors", [pytest.param(factors, id=name, marks=[] if name == "together" else pytest.mark.exhaustive) for name, factors in FACTORS.items()],
+)  # fmt: skip
 def test_consistent_scenes_do_not_depend_on_the_units(rescaled, factors):
     """Penetrations of 1e-4 m are differences of 0.1 m: rounding leaves 1e-12 of them, and forces go with their power.
 

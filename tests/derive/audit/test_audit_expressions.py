@@ -151,16 +151,13 @@ def test_only_a_literal_zero_has_every_dimension():
         ("Kn*d**n*v", "N", None, "a factor of unit s/m is missing"),
         ("pi/2*E*d*sqrt(d/(2*(dR + d)))", "N", None, "a factor of unit m is missing"),
         (
-            "tanh(5*v)",
-            None,
-            None,
-            "a factor of unit s/m is missing; if the number 5 hides it, declare it with its unit",
+            "tanh(5*v)", None, None, "a factor of unit s/m is missing; if the number 5 hides it, declare it with its unit",
         ),
         ("a_P*dR + b_P", None, None, "b_P would need the unit m"),
         ("Th - 273.15", None, None, "273.15 would need the unit K"),
         ("x**theta", None, None, None),
     ],
-)
+)  # fmt: skip
 def test_repairs(text, expect, exponent, repair):
     finding = audit_expression(text, UNITS, {}, expect)
     assert (finding.consistent_exponent, finding.repair) == (exponent, repair)
@@ -183,13 +180,10 @@ def test_a_repair_within_a_root_or_power_is_right_where_it_is_written(base, form
 @each(
     ("text", "expect", "blamed"),
     [
-        ("Kn*d**n*(1 + 3*(1 - theta**2)/4*v/t)", "N", "3*(1 - theta**2)/4*v/t is m/s^2"),
-        ("Kn*d**n/(1 + v/t)", "N", "v/t is m/s^2"),
-        ("F*(m + x)", "J", "m is kg"),
-        ("1 + 3*v/t", None, "3*v/t is m/s^2"),
-        ("x + 1", None, "1 is 1"),
+        ("Kn*d**n*(1 + 3*(1 - theta**2)/4*v/t)", "N", "3*(1 - theta**2)/4*v/t is m/s^2"), ("Kn*d**n/(1 + v/t)", "N", "v/t is m/s^2"),
+        ("F*(m + x)", "J", "m is kg"), ("1 + 3*v/t", None, "3*v/t is m/s^2"), ("x + 1", None, "1 is 1"),
     ],
-)
+)  # fmt: skip
 def test_of_a_sum_the_term_is_blamed_that_the_other_factors_contradict(text, expect, blamed):
     assert blamed in audit_expression(text, UNITS, {}, expect).reason
 
@@ -236,18 +230,13 @@ def test_all_faults_come_at_once():
 @each(
     ("text", "units", "part"),
     [
-        ("d^2", {"d": "m"}, "a power is written d**n"),
-        ("d**(1/(n - n))", {"d": "m", "n": "1"}, "without a value"),
+        ("d^2", {"d": "m"}, "a power is written d**n"), ("d**(1/(n - n))", {"d": "m", "n": "1"}, "without a value"),
         ("d**(n*n*n*n*n*n*n)", {"d": "m", "n": "1"}, "degree at most 6"),
         ("d**(a + b + c + e + f)", dict.fromkeys("abcef", "1") | {"d": "m"}, "at most four names"),
-        (
-            "d**(a*b*c)*d**(a*b*e)*d**(a/(b + c))*d**(b/(a + e))*d**(c/(e + 2*b))",
-            dict.fromkeys("abce", "1") | {"d": "m"},
-            "compare",
-        ),
+        ("d**(a*b*c)*d**(a*b*e)*d**(a/(b + c))*d**(b/(a + e))*d**(c/(e + 2*b))", dict.fromkeys("abce", "1") | {"d": "m"}, "compare"),
         ("K*d", {"K": "N/m^n", "d": "m"}, "declare n with unit 1"),
     ],
-)
+)  # fmt: skip
 def test_bad_input(text, units, part):
     with pytest.raises(InputError) as raised:
         audit_expression(text, units)
@@ -372,15 +361,11 @@ def test_a_python_file_of_a_scene(tmp_path):
 
 def test_a_folder(tmp_path):
     write(
-        tmp_path,
-        a__laws_toml=GOOD_LAW,
-        b_py=PYTHON_LAW.replace("UNIT", "N/m^2"),
+        tmp_path, a__laws_toml=GOOD_LAW, b_py=PYTHON_LAW.replace("UNIT", "N/m^2"),
         other_py="raise SystemExit('never executed: it does not import hertzwerk')",
-        tool_py="from hertzwerk.derive import laws\nraise SystemExit('never executed: no scene, no law')",
-        pyproject_toml="[project]\nname = 'x'\n",
-        broken_py="def (",
-        c__note_txt="",
-    )
+        tool_py="from hertzwerk.derive import laws\nraise SystemExit('never executed: no scene, no law')", pyproject_toml="[project]\nname = 'x'\n",
+        broken_py="def (", c__note_txt="",
+    )  # fmt: skip
     write(tmp_path / ".hidden", d_toml=BAD_LAW)
     actual = audit_files(tmp_path)
     assert [path.relative_to(tmp_path).as_posix() for path in actual] == ["a/laws.toml", "b.py"]
@@ -390,22 +375,15 @@ def test_a_folder(tmp_path):
 def test_files_that_are_no_input(tmp_path):
     write(tmp_path, empty_py="x = 1", fails_py="1/0", laws_toml="[[law]]\nname = 3", e__pyproject_toml="[project]\n")
     for target, part in (
-        (tmp_path / "empty.py", "neither a scene nor a law"),
-        (tmp_path / "fails.py", "ZeroDivisionError"),
-        (tmp_path / "laws.toml", "kind"),
-        (tmp_path / "e" / "pyproject.toml", "no laws"),
-        (tmp_path / "e", "a folder without either"),
-        (tmp_path / "missing.py", "no such file"),
+        (tmp_path / "empty.py", "neither a scene nor a law"), (tmp_path / "fails.py", "ZeroDivisionError"), (tmp_path / "laws.toml", "kind"),
+        (tmp_path / "e" / "pyproject.toml", "no laws"), (tmp_path / "e", "a folder without either"), (tmp_path / "missing.py", "no such file"),
         (tmp_path / "missing.toml", "no such file"),
-    ):
+    ):  # fmt: skip
         with pytest.raises(InputError, match=part):
             audit_path(target)
     write(
-        tmp_path,
-        again_toml="[[law]]\nkind = 'stiffness'",
-        half_py="from hertzwerk.derive import Scene\nscene = Scene(",
-        half_toml="[[law]]\nname =",
-    )
+        tmp_path, again_toml="[[law]]\nkind = 'stiffness'", half_py="from hertzwerk.derive import Scene\nscene = Scene(", half_toml="[[law]]\nname =",
+    )  # fmt: skip
     with pytest.raises(InputError) as raised:
         audit_path(tmp_path)
     assert "laws.toml" in str(raised.value)

@@ -108,10 +108,8 @@ def test_a_cylinder_meets_a_plane_by_laws_of_line_contact(name):
     """F = (pi/4) E* L d: half a period pi sqrt(m/K) in contact, and the penetration v sqrt(m/K)."""
     m, v, L, E, nu = 2.0, 0.3, 0.05, 207e9, 0.3
     mass, radius, length = (
-        hd.Parameter("mass", "kg", m),
-        hd.Parameter("radius", "m", 0.1),
-        hd.Parameter("length", "m", L),
-    )
+        hd.Parameter("mass", "kg", m), hd.Parameter("radius", "m", 0.1), hd.Parameter("length", "m", L),
+    )  # fmt: skip
     roller, pace = hd.Body("roller", mass), hd.Parameter("pace", "m/s", v)
     pair = hd.CylinderOnPlane("touch", roller.at(0, 0, 0), hd.Z, radius, length, hd.GROUND.at(0, 0, 0), hd.Y)
     scene = hd.Scene(
@@ -131,11 +129,9 @@ def test_hertz_on_a_lying_cylinder_is_advised_too():
     roller, size = hd.Body("roller", hd.Parameter("mass", "kg", 1)), hd.Parameter("size", "m", 1)
     pair = hd.CylinderOnPlane("touch", roller.at(0, 0, 0), hd.X, size / 10, size / 5, hd.GROUND.at(0, 0, 0), hd.Y)
     scene = hd.Scene(
-        hd.Mechanism("roller", (hd.Prismatic("way", hd.GROUND, roller, hd.Y),), (pair,)),
-        (hd.Contact("touch", hertz_point(steel, steel)),),
-        hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1)),
-        hd.Start(position={"way": size}),
-    )
+        hd.Mechanism("roller", (hd.Prismatic("way", hd.GROUND, roller, hd.Y),), (pair,)), (hd.Contact("touch", hertz_point(steel, steel)),),
+        hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1)), hd.Start(position={"way": size}),
+    )  # fmt: skip
     (said,) = advice(scene)
     assert said.endswith("`hertzwerk laws --form line` lists others")
     assert tuple(fitting_laws("stiffness", pair, scene.geometry("touch"))) == (

@@ -99,14 +99,8 @@ def test_reads_units_as_people_write_them(text, factor, m, l, t, theta, printed)
 
 @each(
     ("text", "of", "printed"),
-    [
-        ("V", "W/A", "W/A"),
-        ("ohm", "V/A", "W/A^2"),
-        ("mH", "mV s/A", "J/A^2"),
-        ("V s/rad", "N m/A", "J/A"),
-        ("A", "A", "A"),
-    ],
-)
+    [("V", "W/A", "W/A"), ("ohm", "V/A", "W/A^2"), ("mH", "mV s/A", "J/A^2"), ("V s/rad", "N m/A", "J/A"), ("A", "A", "A")],
+)  # fmt: skip
 def test_reads_electric_units(text, of, printed):
     """A motor's torque for each ampere is its voltage for each rad/s."""
     assert (parse_unit(text).exponents, parse_unit(text).factor) == (parse_unit(of).exponents, parse_unit(of).factor)

@@ -70,15 +70,9 @@ def test_a_consistent_law_is_refused_with_another_unit(name):
         stretched = Quantity(symbol.name, f"({symbol.unit}) m", symbol.meaning)
         change = {symbol: stretched}
         changed = replace(
-            law,
-            parameters=tuple(change.get(q, q) for q in law.parameters),
-            definitions=tuple((q, x.xreplace(change)) for q, x in law.definitions),
-            **{
-                f.name: getattr(law, f.name).xreplace(change)
-                for f in fields(law)
-                if f.init and isinstance(getattr(law, f.name), sp.Basic)
-            },
-        )
+            law, parameters=tuple(change.get(q, q) for q in law.parameters), definitions=tuple((q, x.xreplace(change)) for q, x in law.definitions),
+            **{f.name: getattr(law, f.name).xreplace(change) for f in fields(law) if f.init and isinstance(getattr(law, f.name), sp.Basic)},
+        )  # fmt: skip
         assert verdict(audit_law(changed)) == "inconsistent", symbol
 
 
@@ -189,13 +183,11 @@ def assert_predicted(rescaled, excess):
 @each(
     ("name", "what", "excess"),
     [
-        ("liu", "normal force", (0, -1, 0, 0, 0)),
-        ("bai_zhao", "normal force", (0, -0.5, 0, 0, 0)),
-        ("goldsmith", "definition of B", (0, -2, 0, 0, 0)),
-        ("palmgren", "normal force", (-1, 1, 2, 0, 0)),
+        ("liu", "normal force", (0, -1, 0, 0, 0)), ("bai_zhao", "normal force", (0, -0.5, 0, 0, 0)),
+        ("goldsmith", "definition of B", (0, -2, 0, 0, 0)), ("palmgren", "normal force", (-1, 1, 2, 0, 0)),
         ("pereira_internal", "definition of n", (0, -0.005, 0, 0, 0)),
     ],
-)
+)  # fmt: skip
 def test_rescaling_reads_off_the_wrong_power(name, what, excess):
     (row,) = (row for row in rescale_law(LAWS[name]) if row.what == what)
     assert row.excess == pytest.approx(excess, abs=1e-12)
@@ -244,11 +236,9 @@ def scene(pair, stiffness, damping=None, friction=None, unchecked=False):
     effects = [hd.Contact("joint", stiffness, damping, unchecked=unchecked)]
     effects += [hd.Friction("drag", "joint", friction)] if friction else []
     return hd.Scene(
-        hd.Mechanism("impact", (SLIDE,), (pair,)),
-        (*effects, hd.EnergyLedger()),
-        hd.Scales(length=CLEARANCE, speed=SPEED),
+        hd.Mechanism("impact", (SLIDE,), (pair,)), (*effects, hd.EnergyLedger()), hd.Scales(length=CLEARANCE, speed=SPEED),
         hd.Start(speed={"slide": SPEED}),
-    )
+    )  # fmt: skip
 
 
 def refused(*arguments, **given):

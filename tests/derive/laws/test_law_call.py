@@ -35,18 +35,13 @@ def test_quantities_become_parameters_and_bare_numbers_constants():
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("power_damping", "power_damping(chi=..., m=...)"),
-        ("power_damping(chi=1e7 N s/m^2.5)", "no value for m"),
-        ("power_damping(chi=1e7 N s/m^2.5, n=2)", "does not take"),
-        ("power_damping(chi=fast, m=1)", "expected a quantity in N s/m^(m+1)"),
-        ("power_damping(chi=fast, z=1)", "3 faults"),
-        ("power(K=1e8 N/m^1.3, n=1.3) x ristow(gamma=1 1/s) x flores", "one damping law"),
-        ("power_damping(chi, m=1)", "SYMBOL=VALUE"),
-        ("power_damping(m=1, m=2)", "each symbol once"),
-        ("power_damping(chi=-1 N s/m^2.5, m=1.5)", "(0, inf)"),
-        ("nope(m=1)", "nope"),
+        ("power_damping", "power_damping(chi=..., m=...)"), ("power_damping(chi=1e7 N s/m^2.5)", "no value for m"),
+        ("power_damping(chi=1e7 N s/m^2.5, n=2)", "does not take"), ("power_damping(chi=fast, m=1)", "expected a quantity in N s/m^(m+1)"),
+        ("power_damping(chi=fast, z=1)", "3 faults"), ("power(K=1e8 N/m^1.3, n=1.3) x ristow(gamma=1 1/s) x flores", "one damping law"),
+        ("power_damping(chi, m=1)", "SYMBOL=VALUE"), ("power_damping(m=1, m=2)", "each symbol once"),
+        ("power_damping(chi=-1 N s/m^2.5, m=1.5)", "(0, inf)"), ("nope(m=1)", "nope"),
     ],
-)
+)  # fmt: skip
 def test_bad_values_are_faults(text, said):
     with pytest.raises(InputError) as raised:
         bound(text)
@@ -179,13 +174,10 @@ def test_friction_with_modes_and_memory_by_the_text_of_a_law():
     [
         (lambda: laws.lankarani_nikravesh(1, 2), r"lankarani_nikravesh takes \(e\): 2 values for 1$"),
         (lambda: laws.kelvin_voigt(K=1), r"kelvin_voigt takes \(e\): missing e; not expected K$"),
-        (
-            lambda: laws.thornton(*[Material(1, 0.3)] * 2),
-            r"missing sigma_y; no material has a yield_strength$",
-        ),
+        (lambda: laws.thornton(*[Material(1, 0.3)] * 2), r"missing sigma_y; no material has a yield_strength$"),
         (lambda: laws.power(1, 2, n=3), r"power takes \(K, n\): not expected n$"),
     ],
-)
+)  # fmt: skip
 def test_a_call_that_does_not_fit_names_what_is_wrong(call, fault):
     with pytest.raises(TypeError, match=fault):
         call()

@@ -20,26 +20,12 @@ long = sp.Symbol("l" * LONGEST, real=True)
 @each(
     ("expression", "words"),
     [
-        (a**2, "a_squared"),
-        (a**3, "a_cubed"),
-        (a**6, "a_to_the_6"),
-        (1 / a, "inverse_a"),
-        (1 / (2 * a), "half_inverse_a"),
-        (2 * a / 5, "two_fifths_of_a"),
-        (-2 * a, "minus_twice_a"),
-        (a * b, "a_times_b"),
-        (a * b / c, "a_times_b_over_c"),
-        (a * b**2 / 2, "half_a_times_b_squared"),
-        (a - b, "a_minus_b"),
-        (-a - b, "minus_a_minus_b"),
-        (1 + a, "one_plus_a"),
-        (2 * a - c, "twice_a_minus_c"),
-        (sp.sqrt(a), "sqrt_a"),
-        (1 / sp.sqrt(a), "inverse_sqrt_a"),
-        (sp.cos(a), "cos_a"),
-        (sp.pi / 2, "half_pi"),
+        (a**2, "a_squared"), (a**3, "a_cubed"), (a**6, "a_to_the_6"), (1 / a, "inverse_a"), (1 / (2 * a), "half_inverse_a"),
+        (2 * a / 5, "two_fifths_of_a"), (-2 * a, "minus_twice_a"), (a * b, "a_times_b"), (a * b / c, "a_times_b_over_c"),
+        (a * b**2 / 2, "half_a_times_b_squared"), (a - b, "a_minus_b"), (-a - b, "minus_a_minus_b"), (1 + a, "one_plus_a"),
+        (2 * a - c, "twice_a_minus_c"), (sp.sqrt(a), "sqrt_a"), (1 / sp.sqrt(a), "inverse_sqrt_a"), (sp.cos(a), "cos_a"), (sp.pi / 2, "half_pi"),
     ],
-)
+)  # fmt: skip
 def test_words_say_what_the_expression_is(expression, words):
     assert names_in_words([(k1, expression)], {}, set()) == {"k1": words}
 

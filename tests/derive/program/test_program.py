@@ -48,11 +48,8 @@ class Small:
         """Results of a function's text, the constants from the text of theirs; `values` by symbol."""
         constants = self.tape.constants([function])
         c = self.tape.function(
-            "constants",
-            "Constants.",
-            ("p",),
-            [Result("c", ("",) * len(constants), ("",) * len(constants), tuple(constants))],
-        )
+            "constants", "Constants.", ("p",), [Result("c", ("",) * len(constants), ("",) * len(constants), tuple(constants))],
+        )  # fmt: skip
         program = Program(None, self.tape, (c, function), tuple(constants), {})
         groups = {g: [v for s, v in values.items() if self.tape.inputs[s] == g] for g in ("t", "p", "q", "u", "a")}
         known = {name: ca.DM(numbers) for name, numbers in groups.items()}
@@ -81,17 +78,10 @@ def values_of(small):
 
 
 OPERATIONS = (
-    lambda a, b, s: a + b,
-    lambda a, b, s: a * b,
-    lambda a, b, s: a - 2 * b,
-    lambda a, b, s: a * b / (a**2 + 1),
-    lambda a, b, s: (a**2 + 1) ** sp.Rational(3, 2) * b,
-    lambda a, b, s: b / sp.sqrt(a**2 + 1),
-    lambda a, b, s: sp.sin(a) + b,
-    lambda a, b, s: sp.cos(a) * b,
-    lambda a, b, s: sp.tanh(a - b),
-    lambda a, b, s: Where(s.q[0] > s.q[1] * s.m, a, b),
-)
+    lambda a, b, s: a + b, lambda a, b, s: a * b, lambda a, b, s: a - 2 * b, lambda a, b, s: a * b / (a**2 + 1),
+    lambda a, b, s: (a**2 + 1) ** sp.Rational(3, 2) * b, lambda a, b, s: b / sp.sqrt(a**2 + 1), lambda a, b, s: sp.sin(a) + b,
+    lambda a, b, s: sp.cos(a) * b, lambda a, b, s: sp.tanh(a - b), lambda a, b, s: Where(s.q[0] > s.q[1] * s.m, a, b),
+)  # fmt: skip
 
 
 class Recorded(Small):

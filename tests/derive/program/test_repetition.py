@@ -74,10 +74,8 @@ def test_calls_change_no_bit(name, coordinates):
 def balls(n):
     """Balls in a plane, each pair of which may touch."""
     mass, inertia, radius = (
-        hd.Parameter("mass", "kg", 1),
-        hd.Parameter("inertia", "kg m^2", 1e-3),
-        hd.Parameter("radius", "m", 0.05),
-    )
+        hd.Parameter("mass", "kg", 1), hd.Parameter("inertia", "kg m^2", 1e-3), hd.Parameter("radius", "m", 0.05),
+    )  # fmt: skip
     bodies = [hd.Body(f"ball_{k}", mass, inertia) for k in range(n)]
     joints = tuple(hd.Planar(f"free_{k}", hd.GROUND, each) for k, each in enumerate(bodies))
     force = (

@@ -155,11 +155,9 @@ def test_faults_of_matrices_come_at_once():
     with pytest.raises(hd.InputError) as caught:
         floating(
             replace(base, name="pushes", stiffness=named(stiff, "k"), damping=tuple(map(tuple, skew))),
-            replace(base, name="wrong", stiffness=tuple(map(tuple, wrong))),
-            replace(base, name="itself", second=one, stiffness=(0,) * 6),
-            hd.FramePotential("energy", one, base.second, p("k_e", "N", 1) * hd.ROTATION[0]),
-            hd.FramePotential("unknown", one, base.second, unknown),
-        )
+            replace(base, name="wrong", stiffness=tuple(map(tuple, wrong))), replace(base, name="itself", second=one, stiffness=(0,) * 6),
+            hd.FramePotential("energy", one, base.second, p("k_e", "N", 1) * hd.ROTATION[0]), hd.FramePotential("unknown", one, base.second, unknown),
+        )  # fmt: skip
     text = str(caught.value)
     for part in (
         "pushes, stiffness", "pushes, damping", "symmetric", "positive semidefinite", "effect wrong", "soft",
@@ -172,7 +170,5 @@ def test_faults_of_matrices_come_at_once():
     pair = hd.CustomPair("p", *ENDS, gap=gap, normal=(0, 1, 0), contact_point=(hd.APART[0], 0, 0))
     with pytest.raises(hd.InputError, match="rotation_x"):
         hd.Scene(
-            hd.Mechanism("m", (hd.Free("free", hd.GROUND, BODY),), (pair,)),
-            (hd.Gravity("g", p("g", "m/s^2", 1), -hd.Y),),
-            SCALES,
-        )
+            hd.Mechanism("m", (hd.Free("free", hd.GROUND, BODY),), (pair,)), (hd.Gravity("g", p("g", "m/s^2", 1), -hd.Y),), SCALES,
+        )  # fmt: skip

@@ -33,23 +33,15 @@ WAVE = hd.Table("wave", (0, 1, 2), (0, 5, 0), ("s", "deg"))
 ENDS = (ROTOR.at(SIZE, 0, 0), BLOCK.at(0, 0, 0))
 
 SOUND = (
-    hd.ConstantSpeed("drive", "axle", SPIN),
-    hd.Ramp("drive", "axle", SPIN, RISE),
-    hd.Harmonic("drive", "axle", ANGLE, RATE),
-    hd.Drive("drive", "axle", position=ANGLE * sp.cos(RATE * hd.T)),
-    hd.Drive("drive", "axle", position=WAVE(hd.T)),
-    hd.Drive("drive", "axle", speed=SPIN, start=ANGLE),
-    hd.Drive("drive", "axle", acceleration=SPIN * RATE, start_speed=SPIN),
+    hd.ConstantSpeed("drive", "axle", SPIN), hd.Ramp("drive", "axle", SPIN, RISE), hd.Harmonic("drive", "axle", ANGLE, RATE),
+    hd.Drive("drive", "axle", position=ANGLE * sp.cos(RATE * hd.T)), hd.Drive("drive", "axle", position=WAVE(hd.T)),
+    hd.Drive("drive", "axle", speed=SPIN, start=ANGLE), hd.Drive("drive", "axle", acceleration=SPIN * RATE, start_speed=SPIN),
     hd.JointForce("motor", "slide", FORCE - DAMPING * hd.speed_of("slide")),
     hd.PointForce("push", ENDS[0], (FORCE, 0, STIFFNESS * hd.coordinate_of("slide")), axes=ROTOR),
-    hd.BodyTorque("twist", ROTOR, (0, 0, TORQUE * sp.sin(RATE * hd.T))),
-    hd.Potential("well", STIFFNESS * hd.coordinate_of("slide") ** 2),
-    hd.JointSpring("spring", "axle", TORSION, ANGLE),
-    hd.JointDamper("damper", "slide", DAMPING),
-    hd.PointSpring("band", *ENDS, STIFFNESS, REST),
-    hd.PointDamper("strut", *ENDS, DAMPING),
-    hd.JointFriction("friction", "axle", LAW, FORCE, REST),
-)
+    hd.BodyTorque("twist", ROTOR, (0, 0, TORQUE * sp.sin(RATE * hd.T))), hd.Potential("well", STIFFNESS * hd.coordinate_of("slide") ** 2),
+    hd.JointSpring("spring", "axle", TORSION, ANGLE), hd.JointDamper("damper", "slide", DAMPING), hd.PointSpring("band", *ENDS, STIFFNESS, REST),
+    hd.PointDamper("strut", *ENDS, DAMPING), hd.JointFriction("friction", "axle", LAW, FORCE, REST),
+)  # fmt: skip
 
 
 def bench(*effects, scales=SCALES, start=None):

@@ -28,12 +28,9 @@ FORCE, RATE = hd.Parameter("F", "N", 7.0), hd.Parameter("rate", "rad/s", 2.0)
 TORQUE = hd.Parameter("torque", "N m", 1.3)
 DRY = smooth_coulomb(hd.Parameter("mu", "1", 0.2), hd.Parameter("v_s", "m/s", 0.5))
 STRIBECK = brown_mcphee(
-    hd.Parameter("mu_k", "1", 0.2),
-    hd.Parameter("mu_s", "1", 0.3),
-    hd.Parameter("v_S", "m/s", 0.2),
-    hd.Parameter("c_v", "N s/m", 0.1),
+    hd.Parameter("mu_k", "1", 0.2), hd.Parameter("mu_s", "1", 0.3), hd.Parameter("v_S", "m/s", 0.2), hd.Parameter("c_v", "N s/m", 0.1),
     hd.Parameter("N_t", "N", 5),
-)
+)  # fmt: skip
 PRELOAD, RADIUS = hd.Parameter("preload", "N", 30.0), hd.Parameter("radius", "m", 0.05)
 
 
@@ -421,10 +418,8 @@ def test_power_is_balanced_on_joints_of_several_freedoms(label):
 
 def test_a_ball_has_no_single_coordinate():
     for effect in (
-        hd.JointSpring("x", "shoulder", TORQUE),
-        hd.JointDamper("x", "column", DAMPING),
-        hd.Harmonic("x", "flight", AMPLITUDE, RATE),
-    ):
+        hd.JointSpring("x", "shoulder", TORQUE), hd.JointDamper("x", "column", DAMPING), hd.Harmonic("x", "flight", AMPLITUDE, RATE),
+    ):  # fmt: skip
         with pytest.raises(hd.InputError) as caught:
             column(lambda *_, effect=effect: effect)
         assert "which has not just one coordinate" in caught.value.faults[0].found

@@ -16,10 +16,8 @@ STIFFNESS = hd.Parameter("stiffness", "N/m", 50)
 
 def slide(*effects):
     return hd.Scene(
-        hd.Mechanism("slide", (hd.Prismatic("guide", hd.GROUND, BLOCK, axis=hd.X),)),
-        (*effects, hd.EnergyLedger()),
-        SCALES,
-    )
+        hd.Mechanism("slide", (hd.Prismatic("guide", hd.GROUND, BLOCK, axis=hd.X),)), (*effects, hd.EnergyLedger()), SCALES,
+    )  # fmt: skip
 
 
 def found(*effects):
@@ -39,13 +37,10 @@ def test_an_input_has_the_unit_that_it_is_declared_with():
 
 def test_every_fault_of_a_declaration_is_reported_at_once():
     text = found(
-        hd.JointForce("one", "guide", hd.Input("push", "N")),
-        hd.JointForce("two", "guide", hd.Input("push", "kN")),
-        hd.JointForce("three", "guide", hd.Input("mass", "N")),
-        hd.JointForce("four", "guide", hd.Input("no name", "N")),
-        hd.JointForce("five", "guide", hd.Input("energy", "N")),
-        hd.JointForce("six", "guide", hd.Input("odd", "newtons")),
-    )
+        hd.JointForce("one", "guide", hd.Input("push", "N")), hd.JointForce("two", "guide", hd.Input("push", "kN")),
+        hd.JointForce("three", "guide", hd.Input("mass", "N")), hd.JointForce("four", "guide", hd.Input("no name", "N")),
+        hd.JointForce("five", "guide", hd.Input("energy", "N")), hd.JointForce("six", "guide", hd.Input("odd", "newtons")),
+    )  # fmt: skip
     for part in (
         "two different inputs of this name", "input mass: found a parameter of this name", "no name", "'energy'", "newtons",
     ):  # fmt: skip

@@ -21,16 +21,12 @@ def scene(*joints, pairs=(), effects=(), **options):
 @pytest.mark.parametrize(
     ("options", "where", "expected"),
     [
-        ({"modes": 0}, "modes", "from 1 to 12"),
-        ({"modes": 13}, "modes", "from 1 to 12"),
-        ({"ends": ("clamped", "held")}, "ends", "clamped, pinned or free"),
-        ({"cubics": 1}, "cubics", "True or False"),
-        ({"stations": (50, 50)}, "stations", "different whole percentages"),
-        ({"stations": (0.5,)}, "stations", "different whole percentages"),
-        ({"stiffness": "stiff"}, "stiffness", "a Parameter"),
-        ({"section_modulus": "W"}, "section_modulus", "a Parameter"),
+        ({"modes": 0}, "modes", "from 1 to 12"), ({"modes": 13}, "modes", "from 1 to 12"),
+        ({"ends": ("clamped", "held")}, "ends", "clamped, pinned or free"), ({"cubics": 1}, "cubics", "True or False"),
+        ({"stations": (50, 50)}, "stations", "different whole percentages"), ({"stations": (0.5,)}, "stations", "different whole percentages"),
+        ({"stiffness": "stiff"}, "stiffness", "a Parameter"), ({"section_modulus": "W"}, "section_modulus", "a Parameter"),
     ],
-)
+)  # fmt: skip
 def test_a_rod_that_cannot_be_is_refused(options, where, expected):
     refused(lambda: rod(**options), where, repr(options[where]), expected)
 
@@ -38,14 +34,12 @@ def test_a_rod_that_cannot_be_is_refused(options, where, expected):
 @pytest.mark.parametrize(
     ("options", "where", "expected"),
     [
-        ({"length": Parameter("none", "m", 0)}, "length", "(0, inf)"),
-        ({"mass": Parameter("none", "kg", -1)}, "mass", "(0, inf)"),
-        ({"stiffness": Parameter("none", "N m^2", 0)}, "stiffness", "(0, inf)"),
-        ({"stiffness": Parameter("none", "N/m", 1)}, "stiffness", "N m^2"),
+        ({"length": Parameter("none", "m", 0)}, "length", "(0, inf)"), ({"mass": Parameter("none", "kg", -1)}, "mass", "(0, inf)"),
+        ({"stiffness": Parameter("none", "N m^2", 0)}, "stiffness", "(0, inf)"), ({"stiffness": Parameter("none", "N/m", 1)}, "stiffness", "N m^2"),
         ({"damping_ratio": Parameter("none", "1", -0.1)}, "damping ratio", "[0, inf)"),
         ({"section_modulus": Parameter("none", "m^2", 1)}, "section modulus", "m^3"),
     ],
-)
+)  # fmt: skip
 def test_its_quantities_have_units_and_ranges(options, where, expected):
     beam = rod(**options)
     refused(lambda: scene(hd.Weld("clamp", GROUND, beam.start), beam), where, "", expected)
@@ -72,13 +66,8 @@ def test_a_law_that_depends_on_masses_is_given_that_of_the_end():
     beam, slider = rod(), hd.Body("slider", Parameter("slider_mass", "kg", 1))
     joints = hd.Weld("clamp", GROUND, beam.start), beam, hd.Prismatic("guide", GROUND.at(LENGTH, 0, 0), slider, X)
     pin = hd.PinInBush(
-        "pin",
-        slider.at(0, 0, 0),
-        beam.end.at(0, 0, 0),
-        Z,
-        bush_radius=Parameter("R", "mm", 10),
-        clearance=Parameter("c", "mm", 1),
-    )
+        "pin", slider.at(0, 0, 0), beam.end.at(0, 0, 0), Z, bush_radius=Parameter("R", "mm", 10), clearance=Parameter("c", "mm", 1),
+    )  # fmt: skip
     laws = power(Parameter("K", "N/m^1.5", 1e8), 1.5), tsuji(Parameter("xi", "1", 0.1))
 
     def touching(**options):

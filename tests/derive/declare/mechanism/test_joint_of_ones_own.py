@@ -36,18 +36,12 @@ class Chain(Joint):
 '''
 SKEW, OTHER, THIRD = hd.Direction((1, 2, -1)), hd.Direction((1, 1, 2)), hd.Direction((2, -1, 1))
 CHAINS = {
-    "along and about one axis": ("st", SKEW, SKEW),
-    "slide, then turn": ("st", SKEW, OTHER),
-    "turn, then slide": ("ts", SKEW, OTHER),
-    "two slides, then a turn": ("sst", hd.X, OTHER, SKEW),
-    "slides on both sides of a turn": ("sts", hd.X, OTHER, SKEW),
-    "slides on both sides of two turns": ("stts", hd.X, OTHER, hd.Z, SKEW),
-    "slide between two turns": ("tst", hd.Z, SKEW, OTHER),
-    "two slides between two turns": ("tsst", hd.Z, SKEW, hd.Y, OTHER),
-    "slides on and between two turns": ("stst", SKEW, hd.Z, THIRD, OTHER),
-    "three turns on a slide": ("sttt", SKEW, hd.Z, OTHER, hd.X),
-    "ball on a slide": ("sb", SKEW),
-}
+    "along and about one axis": ("st", SKEW, SKEW), "slide, then turn": ("st", SKEW, OTHER), "turn, then slide": ("ts", SKEW, OTHER),
+    "two slides, then a turn": ("sst", hd.X, OTHER, SKEW), "slides on both sides of a turn": ("sts", hd.X, OTHER, SKEW),
+    "slides on both sides of two turns": ("stts", hd.X, OTHER, hd.Z, SKEW), "slide between two turns": ("tst", hd.Z, SKEW, OTHER),
+    "two slides between two turns": ("tsst", hd.Z, SKEW, hd.Y, OTHER), "slides on and between two turns": ("stst", SKEW, hd.Z, THIRD, OTHER),
+    "three turns on a slide": ("sttt", SKEW, hd.Z, OTHER, hd.X), "ball on a slide": ("sb", SKEW),
+}  # fmt: skip
 FAST = {"along and about one axis", "slide, then turn", "turn, then slide", "slide between two turns"}
 MASS, SIZE = hd.Parameter("mass", "kg", 0.9), hd.Parameter("size", "m", 0.3)
 INERTIA = tuple(hd.Parameter(f"J_{k}", "kg m^2", value) for k, value in zip("xyz", (0.07, 0.05, 0.03), strict=True))
@@ -171,12 +165,8 @@ def test_joints_without_a_rule_run_as_trees_and_are_refused_in_loops(chain, name
 
 def test_freedoms_that_repeat_each_other_are_refused(chain):
     for word, *axes in (
-        ("ss", hd.X, -hd.X),
-        ("tt", SKEW, SKEW),
-        ("stts", hd.X, hd.Y, hd.Y, hd.Z),
-        ("tb", hd.X),
-        ("ssss", hd.X, hd.Y, hd.Z, SKEW),
-    ):
+        ("ss", hd.X, -hd.X), ("tt", SKEW, SKEW), ("stts", hd.X, hd.Y, hd.Y, hd.Z), ("tb", hd.X), ("ssss", hd.X, hd.Y, hd.Z, SKEW),
+    ):  # fmt: skip
         with pytest.raises(hd.InputError, match="joint own: found redundant freedoms"):
             as_tree(chain, word, axes)
 

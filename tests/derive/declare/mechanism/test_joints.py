@@ -142,10 +142,8 @@ def test_an_axis_that_points_nowhere_hides_no_other_fault():
     drive = hd.Drive("drive", "nowhere", position=lift(hd.T))
     with pytest.raises(hd.InputError) as caught:
         scene(
-            hd.Revolute("pin", hd.GROUND, BODY, hd.Direction((0, 0, 0))),
-            hd.Universal("cross", BODY, OTHER, hd.X, hd.X),
-            effects=(drive,),
-        )
+            hd.Revolute("pin", hd.GROUND, BODY, hd.Direction((0, 0, 0))), hd.Universal("cross", BODY, OTHER, hd.X, hd.X), effects=(drive,),
+        )  # fmt: skip
     result = {fault.where: fault for fault in caught.value.faults}
     assert set(result) == {"joint pin, axis", "joint cross", "effect drive", "table lift"}
     assert result["table lift"].found == "argument 1.0 after 2.0 in place 3"

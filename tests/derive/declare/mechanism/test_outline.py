@@ -35,17 +35,13 @@ def turned(angle, x, y):
 @pytest.mark.parametrize(
     ("at", "centre", "sign", "least"),
     [
-        pytest.param((20, -21), None, 1, 6, id="beside a line"),
-        pytest.param((20, -12), None, 1, -3, id="within, below a line"),
+        pytest.param((20, -21), None, 1, 6, id="beside a line"), pytest.param((20, -12), None, 1, -3, id="within, below a line"),
         pytest.param((46, 8), (40, 0), 1, -15, id="within an arc to the left"),
-        pytest.param((58, -9), (40, 0), 1, -15, id="beside an arc to the left"),
-        pytest.param((21, 13), (20, 15), -1, 7.5, id="in a hollow"),
-        pytest.param((18, 6.5), (20, 15), -1, 7.5, id="below a hollow"),
-        pytest.param((-3, 19), (0, 15), 1, 0, id="beside a corner"),
-        pytest.param((28, 17), None, 1, 2, id="above a line"),
-        pytest.param((9.5, 1), (7.5, 0), -1, 0, id="within, beside the corner of a notch"),
+        pytest.param((58, -9), (40, 0), 1, -15, id="beside an arc to the left"), pytest.param((21, 13), (20, 15), -1, 7.5, id="in a hollow"),
+        pytest.param((18, 6.5), (20, 15), -1, 7.5, id="below a hollow"), pytest.param((-3, 19), (0, 15), 1, 0, id="beside a corner"),
+        pytest.param((28, 17), None, 1, 2, id="above a line"), pytest.param((9.5, 1), (7.5, 0), -1, 0, id="within, beside the corner of a notch"),
     ],
-)
+)  # fmt: skip
 def test_each_piece_and_corner_equals_its_closed_form(beside, at, centre, sign, least):
     """Of a circle: distance of its centre, and v_t^2 over it, at a block that is turned; of a line, its height and no curvature."""
     (x, y), angle, v = 1e-3 * np.array(at), 0.7, np.array([0.4, -1.1])
@@ -57,10 +53,8 @@ def test_each_piece_and_corner_equals_its_closed_form(beside, at, centre, sign, 
         away = np.hypot(*w)
         n = w / away
         expected = (
-            sign * (away if not least else away + sign * 1e-3 * least),
-            sign * n @ v,
-            sign * (v @ [-n[1], n[0]]) ** 2 / away,
-        )
+            sign * (away if not least else away + sign * 1e-3 * least), sign * n @ v, sign * (v @ [-n[1], n[0]]) ** 2 / away,
+        )  # fmt: skip
     actual = gaps(beside, (angle, *turned(angle, x, y), 0), (0, *turned(angle, *v), 0))
     assert actual == pytest.approx(expected, rel=1e-12, abs=1e-11)
 

@@ -61,10 +61,8 @@ def moments(*solids):
     centre = mass @ at / mass.sum()
     arm = at - centre
     return (
-        mass.sum(),
-        centre,
-        np.einsum("n,nij->ij", mass, (arm**2).sum(1)[:, None, None] * np.eye(3) - arm[:, :, None] * arm[:, None, :]),
-    )
+        mass.sum(), centre, np.einsum("n,nij->ij", mass, (arm**2).sum(1)[:, None, None] * np.eye(3) - arm[:, :, None] * arm[:, None, :]),
+    )  # fmt: skip
 
 
 def agree(body, mass, centre, inertia):
@@ -75,12 +73,10 @@ def agree(body, mass, centre, inertia):
 
 STEEL = hd.Material(hd.Parameter("E", "GPa", 210), hd.Parameter("nu", "1", 0.3), RHO)
 SOLIDS = {
-    "box": lambda **k: hd.Body.box("it", L, B, C, **k),
-    "sphere": lambda **k: hd.Body.sphere("it", R, **k),
-    "cylinder": lambda **k: hd.Body.cylinder("it", R, L, axis=SKEW, **k),
-    "tube": lambda **k: hd.Body.tube("it", R, H, L, axis=SKEW, **k),
+    "box": lambda **k: hd.Body.box("it", L, B, C, **k), "sphere": lambda **k: hd.Body.sphere("it", R, **k),
+    "cylinder": lambda **k: hd.Body.cylinder("it", R, L, axis=SKEW, **k), "tube": lambda **k: hd.Body.tube("it", R, H, L, axis=SKEW, **k),
     "cone": lambda **k: hd.Body.cone("it", R, L, axis=SKEW, **k),
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("kind", SOLIDS)
@@ -187,16 +183,10 @@ def test_a_free_body_with_products_of_inertia_turns_as_in_its_principal_axes(coo
 @pytest.mark.parametrize(
     ("tensor", "found"),
     [
-        (
-            ((1.0, 2.0, 0.0), (2.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
-            "principal values -1, 1, 3 kg m^2; expected three positive ones",
-        ),
-        (
-            ((1.0, 0.1, 0.0), (0.1, 1.0, 0.0), (0.0, 0.0, 4.0)),
-            "principal values 0.9, 1.1, 4 kg m^2; expected none larger",
-        ),
+        (((1.0, 2.0, 0.0), (2.0, 1.0, 0.0), (0.0, 0.0, 1.0)), "principal values -1, 1, 3 kg m^2; expected three positive ones"),
+        (((1.0, 0.1, 0.0), (0.1, 1.0, 0.0), (0.0, 0.0, 4.0)), "principal values 0.9, 1.1, 4 kg m^2; expected none larger"),
     ],
-)
+)  # fmt: skip
 def test_a_tensor_of_no_body_is_refused(tensor, found):
     with pytest.raises(hd.InputError, match=re.escape(f"body body, inertia: found {found}")):
         tumbling("tree", np.array(tensor), (1, 2, 3))

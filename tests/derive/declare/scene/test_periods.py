@@ -9,11 +9,8 @@ from hertzwerk.derive.declare.scene.periods import period
 from hertzwerk.derive.expressions.parameter import Parameter as AnyParameter
 
 SIZE, SPIN, RATE, ANGLE = (
-    hd.Parameter("size", "m", 0.1),
-    hd.Parameter("spin", "rad/s", -3.0),
-    hd.Parameter("rate", "rad/s", 2.0),
-    hd.Parameter("angle", "rad", 0.3),
-)
+    hd.Parameter("size", "m", 0.1), hd.Parameter("spin", "rad/s", -3.0), hd.Parameter("rate", "rad/s", 2.0), hd.Parameter("angle", "rad", 0.3),
+)  # fmt: skip
 FORCE, RISE, PACE = hd.Parameter("force", "N", 3.0), hd.Parameter("rise", "s", 1.0), hd.Parameter("pace", "m/s", 0.5)
 OTHER = hd.Parameter("other", "rad/s", 1.7)
 ROTOR, BLOCK = (

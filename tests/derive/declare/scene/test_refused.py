@@ -11,10 +11,8 @@ TRIPLE = tuple(hd.Parameter(f"J_{k}", "kg m^2", 0.01) for k in "xyz")
 BODY, CROSS, MORE = hd.Body("body", MASS, TRIPLE), hd.Body("cross", 0), hd.Body("more", 0)
 GRAVITY = hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), -hd.Y)
 FORCE, TORQUE, STIFFNESS = (
-    hd.Parameter("push_in", "N", 2),
-    hd.Parameter("twist_in", "N m", 3),
-    hd.Parameter("spring_in", "N/m", 4),
-)
+    hd.Parameter("push_in", "N", 2), hd.Parameter("twist_in", "N m", 3), hd.Parameter("spring_in", "N/m", 4),
+)  # fmt: skip
 SPEED = hd.Parameter("pace", "m/s", 1.0)
 
 
@@ -137,11 +135,9 @@ def test_axes_that_coincide_without_a_mass_between_are_named(label):
 
 def test_each_such_motion_is_a_fault():
     joints = (
-        hd.Revolute("one", hd.GROUND, CROSS, hd.Z),
-        hd.Revolute("two", CROSS, MORE, hd.Z),
-        hd.Revolute("three", MORE, BODY, hd.Z),
+        hd.Revolute("one", hd.GROUND, CROSS, hd.Z), hd.Revolute("two", CROSS, MORE, hd.Z), hd.Revolute("three", MORE, BODY, hd.Z),
         hd.Prismatic("slide", BODY, hd.Body("last", MASS, TRIPLE), hd.X),
-    )
+    )  # fmt: skip
     assert set(refused(*joints)) == {"joints one and two", "joints one and three"}
 
 
@@ -157,8 +153,6 @@ def test_a_missing_axis_or_arm_is_one_fault_of_what_the_user_wrote():
     motor = hd.DCMotor("motor", "hinge", volt, ohm, henry, hd.Parameter("k_m", "N m/A", 1))
     with pytest.raises(InputError) as caught:
         hd.Scene(
-            hd.Mechanism("driven", (hd.Revolute("hinge", hd.GROUND, BODY, hd.Z),)),
-            (motor,),
-            hd.Scales(L, hd.Parameter("v", "m/s", 1)),
-        )
+            hd.Mechanism("driven", (hd.Revolute("hinge", hd.GROUND, BODY, hd.Z),)), (motor,), hd.Scales(L, hd.Parameter("v", "m/s", 1)),
+        )  # fmt: skip
     assert [fault.found for fault in caught.value.faults] == ["no arm"]

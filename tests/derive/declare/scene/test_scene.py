@@ -31,13 +31,8 @@ def turning(inertia, centre=(0, 0, 0)):
 def journal(clearance, bush=10):
     """A pin in a bush [mm]."""
     pair = hd.PinInBush(
-        "pin",
-        BALL.at(0, 0, 0),
-        hd.GROUND.at(0, 0, 0),
-        hd.Z,
-        hd.Parameter("bush", "mm", bush),
-        hd.Parameter("clearance", "mm", clearance),
-    )
+        "pin", BALL.at(0, 0, 0), hd.GROUND.at(0, 0, 0), hd.Z, hd.Parameter("bush", "mm", bush), hd.Parameter("clearance", "mm", clearance),
+    )  # fmt: skip
     return drop(pairs=(pair,), effects=(hd.Contact("pin", STIFFNESS),))  # fmt: skip
 
 
@@ -237,13 +232,8 @@ def test_all_faults_of_a_scene_come_at_once():
     ball = hd.Body("ball", mass=parameter(default=-1.0))
     wheel = hd.Body("wheel", mass=2.0, centre=(hd.Parameter("off", "mmm", 1.0), 0, 0))
     pin = hd.PinInBush(
-        "pin",
-        wheel.at(0, 0, 0),
-        ball.at(0, 0, 0),
-        hd.Z,
-        hd.Parameter("bush", "kg", 1.0),
-        hd.Parameter("clearance", "mm", 0),
-    )
+        "pin", wheel.at(0, 0, 0), ball.at(0, 0, 0), hd.Z, hd.Parameter("bush", "kg", 1.0), hd.Parameter("clearance", "mm", 0),
+    )  # fmt: skip
     with pytest.raises(hd.InputError) as caught:
         hd.Scene(
             hd.Mechanism("many", (FALL.__class__("fall", hd.GROUND, ball, axis=hd.Y), hd.Revolute("axle", STRANGER, wheel, axis=hd.Z)), (pin, pin)),
@@ -300,11 +290,8 @@ def test_limits_at_their_ends():
 def test_parameters_are_symbols_that_differ_by_everything_declared():
     assert hd.Parameter("r", "mm", 5) == hd.Parameter("r", "mm", 5)
     others = (
-        hd.Parameter("r", "m", 5),
-        hd.Parameter("r", "mm", 6),
-        hd.Parameter("r", "mm", 5, "of the pin"),
-        hd.Parameter("R", "mm", 5),
-    )
+        hd.Parameter("r", "m", 5), hd.Parameter("r", "mm", 6), hd.Parameter("r", "mm", 5, "of the pin"), hd.Parameter("R", "mm", 5),
+    )  # fmt: skip
     assert len({hd.Parameter("r", "mm", 5), *others}) == 5
     assert hd.Parameter("r", "mm", 5).si == pytest.approx(0.005)
     assert sp.diff(hd.Parameter("r", "mm", 5) ** 2, hd.Parameter("r", "mm", 5)) == 2 * hd.Parameter("r", "mm", 5)
@@ -356,10 +343,8 @@ def test_without_what_another_effect_needs_is_refused():
 def test_without_the_drive_the_joint_gets_its_coordinate_back():
     assert [freedom.key for freedom in slider_crank.free] == ["crank_pin", "guide"]
     assert [freedom.key for freedom in slider_crank.without("crank_drive").free] == [
-        "main_bearing",
-        "crank_pin",
-        "guide",
-    ]
+        "main_bearing", "crank_pin", "guide",
+    ]  # fmt: skip
 
 
 def test_replace_exchanges_one_effect():
@@ -384,14 +369,11 @@ def test_with_law_keeps_the_parameters():
 @pytest.mark.parametrize(
     ("effect", "law", "message"),
     [
-        ("slider_pin", "hertz", "hertz_point"),
-        ("slider_pin", "smooth_coulomb", "name of a stiffness or damping law"),
-        ("slider_pin_friction", "flores", "smooth_coulomb"),
-        ("gravity", "flores", "an effect that has a law"),
-        ("slider_pin", "power", r"K \[N/m\^n\]"),
-        ("nope", "flores", "nope: found no effect of this name"),
+        ("slider_pin", "hertz", "hertz_point"), ("slider_pin", "smooth_coulomb", "name of a stiffness or damping law"),
+        ("slider_pin_friction", "flores", "smooth_coulomb"), ("gravity", "flores", "an effect that has a law"),
+        ("slider_pin", "power", r"K \[N/m\^n\]"), ("nope", "flores", "nope: found no effect of this name"),
     ],
-)
+)  # fmt: skip
 def test_a_law_that_does_not_fit_is_refused(effect, law, message):
     with pytest.raises(hd.InputError, match=message):
         slider_crank.with_law(effect, law)
@@ -420,11 +402,8 @@ def test_text_as_a_radius_or_a_mass_of_a_pair_is_a_fault_and_never_evaluated(kin
     K = hd.Parameter("stiffness", "N/m^1.5", 1e6)
     with pytest.raises(hd.InputError) as caught:
         hd.Scene(
-            hd.Mechanism(
-                "two", (hd.Prismatic("a", hd.GROUND, one, hd.X), hd.Prismatic("b", hd.GROUND, two, hd.X)), (pair,)
-            ),
-            (hd.Contact("pair", power(K, 1.5)),),
-            hd.Scales(length=hd.Parameter("size", "m", 1), speed=hd.Parameter("pace", "m/s", 1)),
-        )
+            hd.Mechanism("two", (hd.Prismatic("a", hd.GROUND, one, hd.X), hd.Prismatic("b", hd.GROUND, two, hd.X)), (pair,)),
+            (hd.Contact("pair", power(K, 1.5)),), hd.Scales(length=hd.Parameter("size", "m", 1), speed=hd.Parameter("pace", "m/s", 1)),
+        )  # fmt: skip
     assert {fault.found for fault in caught.value.faults} >= {"'1 kg'", "'1 m'", "'2 m'"}
     assert not mark.exists()

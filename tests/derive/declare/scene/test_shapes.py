@@ -12,17 +12,8 @@ import hertzwerk.derive as hd
 from hertzwerk.derive.laws import hertz_point, power, smooth_coulomb
 
 BAD = [
-    None,
-    "text",
-    (1, 2),
-    [1, 2, 3],
-    float("nan"),
-    sp.Symbol("stranger"),
-    np.eye(3),
-    hd.Parameter("other", "kg^2", 1),
-    ((1, 2, 3),) * 3,
-    object(),
-]
+    None, "text", (1, 2), [1, 2, 3], float("nan"), sp.Symbol("stranger"), np.eye(3), hd.Parameter("other", "kg^2", 1), ((1, 2, 3),) * 3, object(),
+]  # fmt: skip
 SIZE, SPEED, PUSH = hd.Parameter("size", "m", 0.1), hd.Parameter("speed", "m/s", 1), hd.Parameter("push", "N", 1)
 RATE, MASS, TIME = hd.Parameter("rate", "rad/s", 3), hd.Parameter("mass", "kg", 1), hd.Parameter("rise", "s", 1)
 INERTIA, MU = hd.Parameter("inertia", "kg m^2", 1e-3), hd.Parameter("mu", "1", 0.1)
@@ -123,15 +114,11 @@ def test_every_field_takes_what_it_takes_or_says_so(name):
 @each(
     "make",
     [
-        lambda value: hd.Parameter(value, "kg", 1),
-        lambda value: hd.Parameter("mass", value, 1),
-        lambda value: hd.coordinate_of(value),
-        lambda value: hd.speed_of(value),
-        lambda value: HERE.turned(value, 0),
-        lambda value: touching(hd.Contact("floor", LAW)).with_law("floor", value),
-        lambda value: touching(hd.Contact("floor", LAW)).without(value),
+        lambda value: hd.Parameter(value, "kg", 1), lambda value: hd.Parameter("mass", value, 1), lambda value: hd.coordinate_of(value),
+        lambda value: hd.speed_of(value), lambda value: HERE.turned(value, 0),
+        lambda value: touching(hd.Contact("floor", LAW)).with_law("floor", value), lambda value: touching(hd.Contact("floor", LAW)).without(value),
     ],
-)
+)  # fmt: skip
 def test_functions_refuse_what_is_no_name(make, value):
     assert refused(lambda: make(value)) is not None
 

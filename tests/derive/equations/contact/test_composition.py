@@ -78,14 +78,10 @@ def scene(pair, stiffness, damping=None, friction=None, **changed):
     effects = [hd.Contact("joint", bound(LAWS[stiffness]), resist, effective_mass=PIN.mass)]
     effects += [hd.Friction("drag", "joint", bound(LAWS[friction]))] if friction else []
     return hd.Scene(
-        hd.Mechanism("impact", (SLIDE, ALONG), (pair,)),
-        (*effects, hd.EnergyLedger()),
+        hd.Mechanism("impact", (SLIDE, ALONG), (pair,)), (*effects, hd.EnergyLedger()),
         hd.Scales(length=CLEARANCE / 100, speed=hd.Parameter("pace", "m/s", PACE)),
-        hd.Start(
-            position={"slide": onset},
-            speed={"slide": hd.Parameter("approach", "m/s", PACE), "along": hd.Parameter("slip", "m/s", SLIP)},
-        ),
-    )
+        hd.Start(position={"slide": onset}, speed={"slide": hd.Parameter("approach", "m/s", PACE), "along": hd.Parameter("slip", "m/s", SLIP)}),
+    )  # fmt: skip
 
 
 MEMORY = {"s_0": 1e5, "s_1": 3, "z": 1e-6}
@@ -103,12 +99,10 @@ def test_a_law_without_memory_adds_no_state_and_no_latch(name):
     effects += [] if damping else [hd.Friction("drag", "joint", bound(law, **MEMORY))]
     model = Derived(
         hd.Scene(
-            hd.Mechanism("impact", (SLIDE, ALONG), (PAIRS["pin_in_bush"][0],)),
-            effects,
-            hd.Scales(length=CLEARANCE / 100, speed=hd.Parameter("pace", "m/s", PACE)),
-            hd.Start(position={"slide": CLEARANCE}),
+            hd.Mechanism("impact", (SLIDE, ALONG), (PAIRS["pin_in_bush"][0],)), effects,
+            hd.Scales(length=CLEARANCE / 100, speed=hd.Parameter("pace", "m/s", PACE)), hd.Start(position={"slide": CLEARANCE}),
         )
-    )
+    )  # fmt: skip
     latches = [("joint.approach_speed", "m/s", 0)] if damping and v0 in law.quantities else []
     assert list(model.LATCHES) == latches
     assert [row[0] for row in model.MEMORY] == (["drag.bristle"] if not damping and law.memory else [])
@@ -171,12 +165,8 @@ def test_any_stiffness(stiffness):
 @pytest.mark.by_turns(3)
 @pytest.mark.parametrize("damping", DAMPING)
 @pytest.mark.parametrize(
-    ("pair", "stiffness"),
-    [
-        ("parallel_cylinders", "johnson"),
-        pytest.param("pin_in_bush", "liu_with_length", marks=pytest.mark.exhaustive),
-    ],
-)
+    ("pair", "stiffness"), [("parallel_cylinders", "johnson"), pytest.param("pin_in_bush", "liu_with_length", marks=pytest.mark.exhaustive)],
+)  # fmt: skip
 def test_any_damping(damping, pair, stiffness):
     check_forces(pair, stiffness, damping, "smooth_coulomb")
 
@@ -189,11 +179,8 @@ def test_any_friction(friction):
 
 def impact(pair, stiffness, damping, friction=None, **changed):
     run = simulate(
-        engine_model(scene(pair, stiffness, damping, friction, **changed)),
-        duration="1 ms",
-        tolerance=1e-10,
-        max_steps=5000,
-    )
+        engine_model(scene(pair, stiffness, damping, friction, **changed)), duration="1 ms", tolerance=1e-10, max_steps=5000,
+    )  # fmt: skip
     assert run.outcome.finished, run.outcome
     assert len(run.impacts) == 1
     assert abs(run.energy_residual) < 1e-7
@@ -275,11 +262,8 @@ def test_effective_mass_is_that_of_both_bodies_by_default():
 def test_beyond_reach_the_run_ends():
     """A heavy, fast pin: deeper than Johnson's turning point is outside_law_range, not a wrong branch."""
     run = simulate(
-        engine_model(scene("pin_in_bush", "johnson", "exact")),
-        duration="1 ms",
-        tolerance=1e-8,
-        initial={"slide.speed": "90 m/s"},
-    )
+        engine_model(scene("pin_in_bush", "johnson", "exact")), duration="1 ms", tolerance=1e-8, initial={"slide.speed": "90 m/s"},
+    )  # fmt: skip
     assert run.outcome.name == "outside_law_range"
     assert "joint" in run.outcome.message
     deepest = run["joint.penetration"].max()

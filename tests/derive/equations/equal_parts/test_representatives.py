@@ -36,10 +36,8 @@ def scene(bodies, pairs, effects, joint=hd.Planar, joints=None):
 def two_masses():
     bodies = [hd.Body(f"ball_{i}", M if i < 4 else HEAVY, J) for i in range(1, 8)]
     effects = (
-        hd.Contact("balls", *LAW),
-        hd.Friction("rub", "balls", RUB),
-        hd.RollingResistance("roll", "balls", R / 50, hd.Parameter("w", "rad/s", 1)),
-    )
+        hd.Contact("balls", *LAW), hd.Friction("rub", "balls", RUB), hd.RollingResistance("roll", "balls", R / 50, hd.Parameter("w", "rad/s", 1)),
+    )  # fmt: skip
     return scene(bodies, hd.every_pair("balls", bodies, R), effects)
 
 
@@ -86,10 +84,8 @@ def sticking():
     ]
     dry = coulomb(hd.Parameter("kinetic", "1", 0.3), hd.Parameter("static", "1", 0.4))
     effects = [
-        hd.Contact("balls", *LAW),
-        hd.Friction("rub", "balls", dry),
-        hd.RollingResistance("roll", "balls", R / 50),
-    ]
+        hd.Contact("balls", *LAW), hd.Friction("rub", "balls", dry), hd.RollingResistance("roll", "balls", R / 50),
+    ]  # fmt: skip
     effects += [
         e for pair in floor for e in (hd.Contact(pair.name, *LAW), hd.Friction(f"{pair.name}_rub", pair.name, dry))
     ]
@@ -97,23 +93,14 @@ def sticking():
 
 
 SCENES = {
-    "sticking": sticking,
-    "box": lambda: spheres_in_box(6),
-    "plane": lambda: balls(5),
-    "two_masses": two_masses,
-    "one_exception": one_exception,
-    "off_centre": off_centre,
-    "two_links": two_links,
-}
+    "sticking": sticking, "box": lambda: spheres_in_box(6), "plane": lambda: balls(5), "two_masses": two_masses, "one_exception": one_exception,
+    "off_centre": off_centre, "two_links": two_links,
+}  # fmt: skip
 KINDS = {
-    "sticking": ["balls", "floor"],
-    "box": ["balls", "floor", "wall_1", "wall_2", "wall_3", "wall_4"],
-    "plane": ["pair", "floor"],
-    "two_masses": ["balls", "balls_2", "balls_3"],
-    "one_exception": ["balls", "balls_1_3"],
-    "off_centre": ["balls", "balls_2", "floor", "floor_5"],
+    "sticking": ["balls", "floor"], "box": ["balls", "floor", "wall_1", "wall_2", "wall_3", "wall_4"], "plane": ["pair", "floor"],
+    "two_masses": ["balls", "balls_2", "balls_3"], "one_exception": ["balls", "balls_1_3"], "off_centre": ["balls", "balls_2", "floor", "floor_5"],
     "two_links": ["ends"],
-}
+}  # fmt: skip
 
 
 @cache

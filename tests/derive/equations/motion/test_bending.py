@@ -13,10 +13,8 @@ from reference.elastic_rods import POINTS, WEIGHTS, kinetic_energy, root, shapes
 LENGTH, SHORT = Parameter("length", "m", 0.8), Parameter("short", "m", 0.5)
 MASS, LIGHT = Parameter("mass", "kg", 0.9), Parameter("light", "kg", 0.4)
 STIFF, SOFT, TWIST = (
-    Parameter("stiff", "N m^2", 30.0),
-    Parameter("soft", "N m^2", 20.0),
-    Parameter("twist", "kg m^2", 1e-3),
-)
+    Parameter("stiff", "N m^2", 30.0), Parameter("soft", "N m^2", 20.0), Parameter("twist", "kg m^2", 1e-3),
+)  # fmt: skip
 OUT, TILT = Parameter("out", "m", 0.1), Parameter("tilt", "rad", 0.4)
 
 
@@ -130,12 +128,10 @@ def test_shapes_are_those_of_the_textbook(ends):
 @pytest.mark.parametrize(
     ("ends", "roots"),
     [
-        (("clamped", "free"), (1.87510406871, 4.69409113297, 7.85475743824)),
-        (("clamped", "pinned"), (3.92660231205, 7.06858274563, 10.2101761228)),
-        (("free", "free"), (4.73004074486, 7.85320462410, 10.9956078380)),
-        (("free", "pinned"), (3.92660231205, 7.06858274563, 10.2101761228)),
+        (("clamped", "free"), (1.87510406871, 4.69409113297, 7.85475743824)), (("clamped", "pinned"), (3.92660231205, 7.06858274563, 10.2101761228)),
+        (("free", "free"), (4.73004074486, 7.85320462410, 10.9956078380)), (("free", "pinned"), (3.92660231205, 7.06858274563, 10.2101761228)),
     ],
-)
+)  # fmt: skip
 def test_roots_are_those_of_blevins(ends, roots):
     """Formulas for Natural Frequency and Mode Shape (1979), table 8-1."""
     assert np.allclose(BendingShapes(ends, 3, False).roots, roots, rtol=1e-11)

@@ -22,11 +22,8 @@ K, REST, D, MU, V, R, N, F = (
                         ("journal", "m", 0.03), ("load", "N", 40.0), ("push", "N", 5.0))
 )  # fmt: skip
 KS, DS, FREQUENCY, SWING = (
-    P("k_slide", "N/m", 20.0),
-    P("d_slide", "N s/m", 0.4),
-    P("frequency", "1/s", 3.0),
-    P("swing", "rad", 0.6),
-)
+    P("k_slide", "N/m", 20.0), P("d_slide", "N s/m", 0.4), P("frequency", "1/s", 3.0), P("swing", "rad", 0.6),
+)  # fmt: skip
 
 
 def names(tree: Tree) -> list[str]:
@@ -73,13 +70,10 @@ def rods() -> hd.Scene:
 
 PLANE = Tree(
     (
-        link("R", "+Z", -1, 1, plane=True),
-        link("P", "-X", 0, 2, plane=True, turned=(("+Z", 0.4), ("-Z", 0.7))),
-        link("R", "-Z", 1, 3, plane=True, turned=(("-Z", 0.3), None)),
-        link("L", "+Z", 0, 4, plane=True),
-        link("R", "+Z", 2, 5, plane=True),
+        link("R", "+Z", -1, 1, plane=True), link("P", "-X", 0, 2, plane=True, turned=(("+Z", 0.4), ("-Z", 0.7))),
+        link("R", "-Z", 1, 3, plane=True, turned=(("-Z", 0.3), None)), link("L", "+Z", 0, 4, plane=True), link("R", "+Z", 2, 5, plane=True),
     )
-)
+)  # fmt: skip
 A, B, C, D_, E = names(PLANE)
 TURN = hd.coordinate_of(C)
 SCENES = {
@@ -227,12 +221,8 @@ def test_cost_is_linear_without_inertias_too_and_nothing_is_lent_to_who_has_one(
     counts = [dict(Derived(bobs(n).with_coordinates("absolute")).OPERATIONS)["accelerations"] for n in (3, 4, 5)]
     assert counts[2] - counts[1] == counts[1] - counts[0]
     wanted = [
-        "one.moment_x",
-        "two.moment_y",
-        *(f"cross.{k}" for k in "xyz"),
-        *(f"cross.moment_{k}" for k in "xyz"),
-        "three.moment_x",
-    ]
+        "one.moment_x", "two.moment_y", *(f"cross.{k}" for k in "xyz"), *(f"cross.moment_{k}" for k in "xyz"), "three.moment_x",
+    ]  # fmt: skip
     assert lent(rods()) == wanted
     assert lent(chain(3, "ZYX").scene()) == []
 
@@ -248,16 +238,12 @@ def lent(scene: hd.Scene) -> list[str]:
 def quick_return() -> hd.Scene:
     """A loop with a slot block without mass, to which inertia is lent."""
     crank, block, rocker = (
-        hd.Body("crank", MASS, ACROSS),
-        hd.Body("block", 0),
-        hd.Body("rocker", MASS, ACROSS, centre=HALF_X),
-    )
+        hd.Body("crank", MASS, ACROSS), hd.Body("block", 0), hd.Body("rocker", MASS, ACROSS, centre=HALF_X),
+    )  # fmt: skip
     joints = (
-        hd.Revolute("main", hd.GROUND, crank, axis=hd.Z),
-        hd.Revolute("pin", crank.at(*ALONG_X), block, axis=hd.Z),
-        hd.Revolute("swing", hd.GROUND.at(0, -LENGTH, 0), rocker, axis=hd.Z),
-        hd.Prismatic("slot", rocker, block, axis=hd.X),
-    )
+        hd.Revolute("main", hd.GROUND, crank, axis=hd.Z), hd.Revolute("pin", crank.at(*ALONG_X), block, axis=hd.Z),
+        hd.Revolute("swing", hd.GROUND.at(0, -LENGTH, 0), rocker, axis=hd.Z), hd.Prismatic("slot", rocker, block, axis=hd.X),
+    )  # fmt: skip
     return hd.Scene(hd.Mechanism("quick_return", joints), (), hd.Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
 
 
@@ -331,11 +317,8 @@ def test_a_base_joint_is_named_after_its_body_unless_a_joint_is():
     body = hd.Body("pin", P("mass", "kg", 1.0))
     length, speed = P("reach", "m", 1.0), P("pace", "m/s", 1.0)
     scene = hd.Scene(
-        hd.Mechanism("one", (hd.Prismatic("pin", hd.GROUND, body, hd.X),)),
-        (),
-        hd.Scales(length, speed),
-        coordinates="absolute",
-    )
+        hd.Mechanism("one", (hd.Prismatic("pin", hd.GROUND, body, hd.X),)), (), hd.Scales(length, speed), coordinates="absolute",
+    )  # fmt: skip
     assert [name for name, _ in Derived(scene).COORDINATES] == ["pin_base.x", "pin_base.y"]
 
 
@@ -351,10 +334,8 @@ def faults_of(scene: hd.Scene) -> dict[str, str]:
 def test_unknown_inertias_are_reported_all_at_once():
     nothing, full = P("nothing", "kg m^2", 0.0), (ACROSS, ACROSS, ACROSS)
     one, two, three = (
-        hd.Body("one", 0),
-        hd.Body("two", MASS, ACROSS),
-        hd.Body("three", MASS, (nothing, ACROSS, ACROSS), centre=HALF_Y),
-    )
+        hd.Body("one", 0), hd.Body("two", MASS, ACROSS), hd.Body("three", MASS, (nothing, ACROSS, ACROSS), centre=HALF_Y),
+    )  # fmt: skip
     thin = hd.Body("thin", MASS, (0, ACROSS, ACROSS))
     chained = (one, hd.Z, ORIGIN), (two, hd.X, ALONG_X), (three, hd.X, ALONG_X), (thin, hd.Z, ORIGIN)
     tips = [hd.Body("tip", MASS, inertia) for inertia in ((ACROSS, 0, ACROSS), full)]
@@ -392,11 +373,9 @@ def test_coordinates_that_cannot_be_measured_are_refused_all_at_once():
         mechanism=hd.Mechanism("wrist", (hd.Revolute("axle", hd.GROUND, arm, hd.Z), Wrist("wrist", arm, hand))),
     )
     effects = (
-        hd.JointSpring("torsion", "wrist.t1", K, REST),
-        hd.JointDamper("oil", "wrist.t0", D),
-        hd.JointForce("twist", "axle", K * sp.sin(hd.coordinate_of("wrist.t2"))),
-        hd.JointForce("tug", "axle", K * sp.sin(hd.coordinate_of("axle"))),
-    )
+        hd.JointSpring("torsion", "wrist.t1", K, REST), hd.JointDamper("oil", "wrist.t0", D),
+        hd.JointForce("twist", "axle", K * sp.sin(hd.coordinate_of("wrist.t2"))), hd.JointForce("tug", "axle", K * sp.sin(hd.coordinate_of("axle"))),
+    )  # fmt: skip
     result = faults_of(replace(hung_hand, effects=(*hung_hand.effects, *effects)))
     assert result == {
         f"effect {effect}": f"wrist.{turn}, of a wrist joint"
@@ -417,9 +396,7 @@ def test_an_arm_is_needed_where_bodies_turn():
 @pytest.mark.parametrize("mass", [0, MASS])
 def test_axes_that_coincide_with_no_inertia_between_them_are_refused(coordinates, mass):
     hub, cross, one = (
-        hd.Body("hub", MASS, (ACROSS, ACROSS, ACROSS)),
-        hd.Body("cross", mass),
-        hd.Body("one", MASS, (ACROSS, ACROSS, ACROSS), centre=HALF_Y),
-    )
+        hd.Body("hub", MASS, (ACROSS, ACROSS, ACROSS)), hd.Body("cross", mass), hd.Body("one", MASS, (ACROSS, ACROSS, ACROSS), centre=HALF_Y),
+    )  # fmt: skip
     with pytest.raises(hd.InputError, match=r"axes that coincide: .* together move no mass; .* without one: cross"):
         Derived(hung((hub, hd.Z, ORIGIN), (cross, hd.X, ORIGIN), (one, hd.X, ORIGIN)).with_coordinates(coordinates))

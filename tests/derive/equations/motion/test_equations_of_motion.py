@@ -20,36 +20,26 @@ from hertzwerk.derive.scenes.slider_crank_frictionless import scene as slider_cr
 from reference.slider_crank import SliderCrank
 
 PLANAR = {
-    "pendulum": random_tree("R+Z", 1, planar=2),
-    "two links": random_tree("R+Z R+Z", 2, planar=2),
-    "opposite axes": random_tree("R+Z R-Z R+Z", 3, planar=2),
-    "four links": random_tree("R-Z R+Z R+Z R-Z", 4, planar=2),
-    "cart-pole": random_tree("P+X R+Z", 5, planar=2),
-    "slider on a rotating arm": random_tree("R+Z P+X R-Z", 6, planar=2),
-    "table": random_tree("P+X P-Y R+Z", 7, planar=2),
-    "branches": random_tree("R+Z R+Z R-Z R+Z P+Y", 8, parents=(-1, 0, 0, 1, -1), planar=2),
+    "pendulum": random_tree("R+Z", 1, planar=2), "two links": random_tree("R+Z R+Z", 2, planar=2),
+    "opposite axes": random_tree("R+Z R-Z R+Z", 3, planar=2), "four links": random_tree("R-Z R+Z R+Z R-Z", 4, planar=2),
+    "cart-pole": random_tree("P+X R+Z", 5, planar=2), "slider on a rotating arm": random_tree("R+Z P+X R-Z", 6, planar=2),
+    "table": random_tree("P+X P-Y R+Z", 7, planar=2), "branches": random_tree("R+Z R+Z R-Z R+Z P+Y", 8, parents=(-1, 0, 0, 1, -1), planar=2),
     "in the plane of y and z": random_tree("R+X P+Y R-X", 9, planar=0, down="-Z"),
-    "sideways gravity": random_tree("R-Y R+Y", 10, planar=1, down="+X"),
-    "no gravity": random_tree("R+Z R+Z", 11, planar=2, gravity=0.0),
-}
+    "sideways gravity": random_tree("R-Y R+Y", 10, planar=1, down="+X"), "no gravity": random_tree("R+Z R+Z", 11, planar=2, gravity=0.0),
+}  # fmt: skip
 SPATIAL = {
-    "z x": random_tree("R+Z R+X", 21),
-    "z -x y": random_tree("R+Z R-X R+Y", 22, down="+Z"),
-    "prismatic between": random_tree("R-Y P+Z R+X", 23),
-    "merged, then across": random_tree("R+X R-X R-Y", 24, down="-X"),
-    "branches": random_tree("R+X R-Y R+Z P-X", 25, parents=(-1, 0, 0, 2)),
+    "z x": random_tree("R+Z R+X", 21), "z -x y": random_tree("R+Z R-X R+Y", 22, down="+Z"), "prismatic between": random_tree("R-Y P+Z R+X", 23),
+    "merged, then across": random_tree("R+X R-X R-Y", 24, down="-X"), "branches": random_tree("R+X R-Y R+Z P-X", 25, parents=(-1, 0, 0, 2)),
     "prismatic first": random_tree("P-Z R+X R+Y", 26),
-}
+}  # fmt: skip
 SIGNED = ["+X", "-X", "+Y", "-Y", "+Z", "-Z"]
 TREES = {
-    **{f"planar, {name}": tree for name, tree in PLANAR.items()},
-    **{f"spatial, {name}": tree for name, tree in SPATIAL.items()},
+    **{f"planar, {name}": tree for name, tree in PLANAR.items()}, **{f"spatial, {name}": tree for name, tree in SPATIAL.items()},
     "driven root, planar": driven(random_tree("R+Z R+Z R+Z", 31, planar=2), 0, 2.5),
-    "driven root, spatial": driven(random_tree("R+Z R-X R+Y", 32), 0, -1.5),
-    "driven slide": driven(random_tree("P+X R+Z", 33, planar=2), 0, 0.7),
+    "driven root, spatial": driven(random_tree("R+Z R-X R+Y", 32), 0, -1.5), "driven slide": driven(random_tree("P+X R+Z", 33, planar=2), 0, 0.7),
     "driven in the middle": driven(random_tree("R+Z R+X R+Z", 34), 1, 3.0),
     "two drives": driven(driven(random_tree("R+Z P+X R-Z", 35), 0, 1.1), 1, 0.4),
-}
+}  # fmt: skip
 
 TREES |= {
     "cylindrical": line("C-Y"),

@@ -202,17 +202,13 @@ def test_a_four_bar_in_a_tilted_plane_closes_as_triangles_require():
     )
     axis = Direction((0, -sp.sin(TILT), sp.cos(TILT)))
     joints = (
-        Revolute("main", GROUND, crank, axis),
-        Revolute("pin", crank.at(a, 0, 0), coupler, axis),
-        Revolute("bearing", GROUND.at(base, 0, 0), rocker, axis),
-        Revolute("last", coupler.at(b, 0, 0), rocker.at(c, 0, 0), axis),
-    )
+        Revolute("main", GROUND, crank, axis), Revolute("pin", crank.at(a, 0, 0), coupler, axis),
+        Revolute("bearing", GROUND.at(base, 0, 0), rocker, axis), Revolute("last", coupler.at(b, 0, 0), rocker.at(c, 0, 0), axis),
+    )  # fmt: skip
     scene = Scene(
-        Mechanism("four_bar", joints),
-        (ConstantSpeed("drive", "main", Parameter("speed", "rad/s", 30)),),
-        Scales(length=a, speed=Parameter("pace", "m/s", 3), arm=a),
-        Start(near={"bearing": Parameter("open", "rad", 1.8)}),
-    )
+        Mechanism("four_bar", joints), (ConstantSpeed("drive", "main", Parameter("speed", "rad/s", 30)),),
+        Scales(length=a, speed=Parameter("pace", "m/s", 3), arm=a), Start(near={"bearing": Parameter("open", "rad", 1.8)}),
+    )  # fmt: skip
     assert not any("turned" in name for name, *_ in Derived(scene).CONSTRAINTS)
     run = simulate(scene, duration="0.1 s", tolerance=1e-8)
     reach = 0.1 * np.exp(3j) - 0.3  # from the bearing to the crank pin; then by the law of cosines
@@ -244,11 +240,9 @@ def test_faults_of_closing_joints_come_all_at_once():
     speed = Parameter("pace_in", "rad/s", 1.0)
     with pytest.raises(InputError) as error:
         replace(
-            scene,
-            mechanism=replace(scene.mechanism, joints=(*scene.mechanism.joints, free)),
-            effects=(*scene.effects, ConstantSpeed("drive", "closing", speed)),
-            start=Start(position={"closing": Parameter("turn_in", "rad", 0.1)}),
-        )
+            scene, mechanism=replace(scene.mechanism, joints=(*scene.mechanism.joints, free)),
+            effects=(*scene.effects, ConstantSpeed("drive", "closing", speed)), start=Start(position={"closing": Parameter("turn_in", "rad", 0.1)}),
+        )  # fmt: skip
     actual = {fault.where: fault for fault in error.value.faults}
     assert "free joint" in actual["joint loose"].found
     assert actual["effect drive"].found == "joint 'closing', which closes a loop"

@@ -14,10 +14,8 @@ ROCKER = hd.Body(
     "rocker", hd.Parameter("m_rocker", "kg", 2.0), hd.Parameter("J_rocker", "kg m^2", 1e-2), centre=(L, 0, 0)
 )
 TURNING = hd.Start(
-    position={"main": 0},
-    speed={"main": hd.Parameter("w_0", "rad/s", 10.0)},
-    near={"swing": hd.Parameter("up", "rad", 1.0)},
-)
+    position={"main": 0}, speed={"main": hd.Parameter("w_0", "rad/s", 10.0)}, near={"swing": hd.Parameter("up", "rad", 1.0)},
+)  # fmt: skip
 ACROSS = hd.Start(position={"main": 0}, speed={"main": TURNING.speed["main"]}, near={"guide": D})
 SIZES = hd.Scales(length=A, speed=hd.Parameter("pace", "m/s", 1.0), arm=A)
 
@@ -30,11 +28,9 @@ def whitworth(mass=0, inertia=0):
     """A crank whose slot block drives a rocker, below it."""
     block = hd.Body("block", mass, inertia)
     return (
-        hd.Revolute("main", hd.GROUND, CRANK, axis=hd.Z),
-        hd.Revolute("pin", CRANK.at(A, 0, 0), block, axis=hd.Z),
-        hd.Revolute("swing", hd.GROUND.at(0, -D, 0), ROCKER, axis=hd.Z),
-        hd.Prismatic("slot", ROCKER, block, axis=hd.X),
-    )
+        hd.Revolute("main", hd.GROUND, CRANK, axis=hd.Z), hd.Revolute("pin", CRANK.at(A, 0, 0), block, axis=hd.Z),
+        hd.Revolute("swing", hd.GROUND.at(0, -D, 0), ROCKER, axis=hd.Z), hd.Prismatic("slot", ROCKER, block, axis=hd.X),
+    )  # fmt: skip
 
 
 def swing(turn):
@@ -46,22 +42,18 @@ def swing(turn):
 def yoke():
     block = hd.Body("block", 0)
     return (
-        hd.Revolute("main", hd.GROUND, CRANK, axis=hd.Z),
-        hd.Revolute("pin", CRANK.at(A, 0, 0), block, axis=hd.Z),
-        hd.Prismatic("guide", hd.GROUND, SLIDER, axis=hd.X),
-        hd.Prismatic("slot", SLIDER, block, axis=hd.Y),
-    )
+        hd.Revolute("main", hd.GROUND, CRANK, axis=hd.Z), hd.Revolute("pin", CRANK.at(A, 0, 0), block, axis=hd.Z),
+        hd.Prismatic("guide", hd.GROUND, SLIDER, axis=hd.X), hd.Prismatic("slot", SLIDER, block, axis=hd.Y),
+    )  # fmt: skip
 
 
 def slider_crank():
     """Its connecting rod has no mass: a member of two forces."""
     rod = hd.Body("rod", 0)
     return (
-        hd.Revolute("main", hd.GROUND, CRANK, axis=hd.Z),
-        hd.Revolute("pin", CRANK.at(A, 0, 0), rod, axis=hd.Z),
-        hd.Prismatic("guide", hd.GROUND, SLIDER, axis=hd.X),
-        hd.Revolute("wrist", rod.at(L, 0, 0), SLIDER, axis=hd.Z),
-    )
+        hd.Revolute("main", hd.GROUND, CRANK, axis=hd.Z), hd.Revolute("pin", CRANK.at(A, 0, 0), rod, axis=hd.Z),
+        hd.Prismatic("guide", hd.GROUND, SLIDER, axis=hd.X), hd.Revolute("wrist", rod.at(L, 0, 0), SLIDER, axis=hd.Z),
+    )  # fmt: skip
 
 
 def inertia_of(name, turn):
@@ -115,11 +107,8 @@ def in_space(last):
     rod = hd.Body("rod", 0)
     guide = hd.Prismatic("guide", hd.GROUND, SLIDER, axis=hd.X)
     return (
-        hd.Revolute("main", hd.GROUND, CRANK, axis=hd.Z),
-        hd.Spherical("ball", CRANK.at(A, 0, 0), rod),
-        guide,
-        last(rod),
-    )
+        hd.Revolute("main", hd.GROUND, CRANK, axis=hd.Z), hd.Spherical("ball", CRANK.at(A, 0, 0), rod), guide, last(rod),
+    )  # fmt: skip
 
 
 def test_a_massless_link_in_space_needs_a_joint_that_holds_its_spin():

@@ -19,14 +19,10 @@ from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 
 DEPTHS, CLEARANCES = (1e-7, 1e-6, 1e-5), (0.5e-3,) * 3
 KNOWN = {  # N at 0.1, 1, 10 um: E = 207 GPa, nu = 0.3, R1/R2 = 10/9.5 mm, L = 15 mm, computed independently
-    "johnson": (47.301, 610.964, 8775.02),
-    "dubowsky_freudenstein": (41.420, 514.336, 6842.86),
-    "esdu_78035": (39.682, 487.304, 6357.79),
-    "pereira_internal_si": (44.199, 642.661, 9344.46),
-    "liu_with_length": (2.6796, 84.660, 2653.44),
-    "hertz_point": (2.0903, 66.102, 2090.33),
+    "johnson": (47.301, 610.964, 8775.02), "dubowsky_freudenstein": (41.420, 514.336, 6842.86), "esdu_78035": (39.682, 487.304, 6357.79),
+    "pereira_internal_si": (44.199, 642.661, 9344.46), "liu_with_length": (2.6796, 84.660, 2653.44), "hertz_point": (2.0903, 66.102, 2090.33),
     "popov_line": (133.992, 1339.92, 13399.2),
-}
+}  # fmt: skip
 
 
 @each("law", KNOWN)

@@ -137,11 +137,8 @@ def test_text_evaluates_to_the_law(name):
 def test_latex(sheets):
     assert sheets["hertz_point"].formulas[0].latex == r"F = K d^{\frac{3}{2}}"
     assert [latex_name(sp.Symbol(x)) for x in ("dR", "E_eff", "nu_1", "v0")] == [
-        r"\Delta R",
-        r"E_{\mathrm{eff}}",
-        r"\nu_{1}",
-        "v_{0}",
-    ]
+        r"\Delta R", r"E_{\mathrm{eff}}", r"\nu_{1}", "v_{0}",
+    ]  # fmt: skip
     zhiying = sheets["zhiying_qishao"].definitions[-1].latex
     assert r"\mathrm{e}^{2 - 2 e}" in zhiying  # Euler's number is not the restitution
     for name, result in sheets.items():
@@ -187,11 +184,8 @@ def test_reconstructions_show_the_band_of_their_candidates(sheets):
     """Every candidate that may stand at the pair, the law first; forces are those of the laws they equal under another name."""
     inside, outside = sheets["wang_liu_internal"].band, sheets["wang_liu_external"].band
     assert {c.law for c in inside.candidates} == {
-        "wang_liu_internal",
-        "wang_liu_secant",
-        "wang_liu_half_width",
-        "wang_liu_johnson",
-    }
+        "wang_liu_internal", "wang_liu_secant", "wang_liu_half_width", "wang_liu_johnson",
+    }  # fmt: skip
     assert outside.candidates[0].law == "wang_liu_external"
     assert {c.law for c in outside.candidates} == {"wang_liu_external", "wang_liu_half_width", "wang_liu_johnson"}
     for band in (inside, outside):

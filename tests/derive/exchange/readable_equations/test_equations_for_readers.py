@@ -21,10 +21,8 @@ BUILT_IN = built_in_scenes()
 
 def double_pendulum():
     g, one, two = (
-        hd.Parameter("gravity", "m/s^2", 9.81),
-        hd.Parameter("length_1", "m", 0.7),
-        hd.Parameter("length_2", "m", 0.4),
-    )
+        hd.Parameter("gravity", "m/s^2", 9.81), hd.Parameter("length_1", "m", 0.7), hd.Parameter("length_2", "m", 0.4),
+    )  # fmt: skip
     upper = hd.Body(
         "upper", hd.Parameter("mass_1", "kg", 1.3), hd.Parameter("inertia_1", "kg m^2", 0.02), centre=(one, 0, 0)
     )
@@ -56,14 +54,9 @@ def spatial_arm():
     )
     effects = (
         hd.Gravity("gravity", g, -hd.Z),
-        hd.Contact(
-            "floor",
-            power(hd.Parameter("stiffness", "N/m^1.5", 1e6), 1.5),
-            flores(hd.Parameter("restitution", "1", 0.8)),
-        ),
-        hd.Friction("grip", "floor", smooth_coulomb(hd.Parameter("mu", "1", 0.3), hd.Parameter("v_s", "m/s", 0.1))),
-        hd.EnergyLedger(),
-    )
+        hd.Contact("floor", power(hd.Parameter("stiffness", "N/m^1.5", 1e6), 1.5), flores(hd.Parameter("restitution", "1", 0.8))),
+        hd.Friction("grip", "floor", smooth_coulomb(hd.Parameter("mu", "1", 0.3), hd.Parameter("v_s", "m/s", 0.1))), hd.EnergyLedger(),
+    )  # fmt: skip
     return hd.Scene(
         hd.Mechanism("spatial_arm", joints, (floor,)), effects, hd.Scales(a, hd.Parameter("speed", "m/s", 1), arm=a)
     )
@@ -78,16 +71,10 @@ def tumbling():
         "floor", body.at(0, 0, a), hd.Parameter("radius", "m", 0.1), hd.GROUND.at(0, 0, 0), normal=hd.Z
     )
     return hd.Scene(
-        hd.Mechanism(
-            "tumbling", (hd.Free("float", hd.GROUND, body), hd.Spherical("ball", body.at(a, a, 0), bob)), (floor,)
-        ),
-        (
-            hd.Gravity("gravity", g, -hd.Z),
-            hd.Contact("floor", power(hd.Parameter("stiffness", "N/m^1.5", 1e6), 1.5)),
-            hd.EnergyLedger(),
-        ),
+        hd.Mechanism("tumbling", (hd.Free("float", hd.GROUND, body), hd.Spherical("ball", body.at(a, a, 0), bob)), (floor,)),
+        (hd.Gravity("gravity", g, -hd.Z), hd.Contact("floor", power(hd.Parameter("stiffness", "N/m^1.5", 1e6), 1.5)), hd.EnergyLedger()),
         hd.Scales(a, hd.Parameter("speed", "m/s", 1), arm=a),
-    )
+    )  # fmt: skip
 
 
 def forced():
@@ -102,14 +89,11 @@ def forced():
     size, push = hd.Parameter("size", "m", 0.2), hd.Parameter("push", "N", 4)
     rub = smooth_coulomb(hd.Parameter("mu", "1", 0.3), hd.Parameter("v_s", "m/s", 0.1))
     effects = (
-        hd.Harmonic("shaker", "shaken", size, w),
-        hd.JointSpring("near", "second", k),
-        hd.JointSpring("far", "third", k),
+        hd.Harmonic("shaker", "shaken", size, w), hd.JointSpring("near", "second", k), hd.JointSpring("far", "third", k),
         hd.JointDamper("damper", "second", hd.Parameter("damping", "N s/m", 5)),
-        hd.JointFriction("rubbing", "third", rub, hd.Parameter("load", "N", 7)),
-        hd.JointForce("pulling", "third", push * sp.sin(w * TIME)),
+        hd.JointFriction("rubbing", "third", rub, hd.Parameter("load", "N", 7)), hd.JointForce("pulling", "third", push * sp.sin(w * TIME)),
         hd.EnergyLedger(),
-    )
+    )  # fmt: skip
     return hd.Scene(hd.Mechanism("forced", joints), effects, hd.Scales(size, hd.Parameter("speed", "m/s", 1)))
 
 
@@ -132,14 +116,9 @@ def in_ci(names):
 
 
 SCENES = {name: (lambda name=name: scene_from(name)) for name in BUILT_IN} | {
-    "double_pendulum": double_pendulum,
-    "spatial_arm": spatial_arm,
-    "two_pairs": lambda: guarded_crank(1),
-    "tumbling": tumbling,
-    "forced": forced,
-    "coulomb": lambda: with_friction("coulomb"),
-    "lugre": lambda: with_friction("lugre"),
-}
+    "double_pendulum": double_pendulum, "spatial_arm": spatial_arm, "two_pairs": lambda: guarded_crank(1), "tumbling": tumbling, "forced": forced,
+    "coulomb": lambda: with_friction("coulomb"), "lugre": lambda: with_friction("lugre"),
+}  # fmt: skip
 
 
 @pytest.fixture(scope="module")

@@ -21,11 +21,9 @@ def struck(sphere, l):
     pair = hd.SphereOnPlane("wall", sphere=sphere, radius=radius, plane=wall, normal=hd.X)
     effects = hd.Contact("wall", hd.laws.power(stiffness, 1.5), hd.laws.flores(e=restitution)), hd.EnergyLedger()
     return (
-        pair,
-        effects,
-        hd.Scales(length=radius, speed=hd.Parameter("pace", "m/s", 1), arm=l),
+        pair, effects, hd.Scales(length=radius, speed=hd.Parameter("pace", "m/s", 1), arm=l),
         hd.Start(position={"q": hd.Parameter("q0", "rad", 0.5)}),
-    )
+    )  # fmt: skip
 
 
 def test_a_pendulum_strikes_a_wall_as_the_native_one_does():
@@ -243,10 +241,8 @@ def test_a_rattleback_turns_back_as_newtons_and_eulers_equations_say():
     loaded = load(scene)
     run = simulate(loaded, duration="0.3 s", accuracy=1e-9)
     axes, h, inertia = (
-        np.array((0.2, 0.03, 0.02)),
-        0.01,
-        np.array([[2e-4, -2e-5, 0], [-2e-5, 1.6e-3, 0], [0, 0, 1.7e-3]]),
-    )
+        np.array((0.2, 0.03, 0.02)), 0.01, np.array([[2e-4, -2e-5, 0], [-2e-5, 1.6e-3, 0], [0, 0, 1.7e-3]]),
+    )  # fmt: skip
 
     def rates(_, y):
         w, up = y[:3], y[3:]  # up in the stone's axes
@@ -297,12 +293,8 @@ def test_weight_with_a_stored_potential_does_no_other_work():
     m, g = sp.Symbol("m"), sp.Symbol("g")
     bob.potential_energy = m * g * at["P"].pos_from(at["O"]).dot(method._inertial.y)
     model = hd.from_sympy(
-        method,
-        units=units | {sp.Symbol("push"): "N"},
-        parameters=values | {sp.Symbol("push"): 2},
-        origin=at["O"],
-        name="bob",
-    )
+        method, units=units | {sp.Symbol("push"): "N"}, parameters=values | {sp.Symbol("push"): 2}, origin=at["O"], name="bob",
+    )  # fmt: skip
     l = model.parameters["l"]
     scales = hd.Scales(length=l, speed=hd.Parameter("pace", "m/s", 1), arm=l)
     start = hd.Start(position={"q": hd.Parameter("q0", "rad", 0.5)})
@@ -325,12 +317,9 @@ def test_a_gap_beside_a_driven_coordinate_accelerates_with_its_drive():
     wall = hd.SphereOnPlane("wall", sphere=model.at("P1"), radius=radius, plane=hd.GROUND.at(0, 0, 0), normal=hd.X)
     scene = model.scene(
         pairs=(wall,),
-        effects=(
-            hd.Drive("shaker", "q0", position=size * sp.sin(rate * hd.T)),
-            hd.Contact("wall", hd.laws.power(hd.Parameter("K", "N/m", 1e5), 1)),
-        ),
+        effects=(hd.Drive("shaker", "q0", position=size * sp.sin(rate * hd.T)), hd.Contact("wall", hd.laws.power(hd.Parameter("K", "N/m", 1e5), 1))),
         scales=hd.Scales(length=radius, speed=hd.Parameter("pace", "m/s", 1), arm=radius),
-    )
+    )  # fmt: skip
     derived = Derived(scene)
     options = {"t": 0.4, "q": np.array([0.5]), "u": np.array([0.7])}
     a = np.array([1.3])

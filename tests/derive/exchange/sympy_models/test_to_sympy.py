@@ -72,10 +72,8 @@ def test_a_run_of_what_came_back_is_the_scenes_own():
     names = {name: symbol.func.__name__ for name, symbol in module.names.items()}
     start = {names[f"{joint}.angle"]: scene.start.position[joint] for joint in ("shoulder", "elbow")}
     run = simulate(
-        engine_model(model.scene(scales=SCALES, start=Start(position=start))),
-        duration="1 s",
-        accuracy=1e-9,
-    )
+        engine_model(model.scene(scales=SCALES, start=Start(position=start))), duration="1 s", accuracy=1e-9,
+    )  # fmt: skip
     assert run[f"{names['elbow.angle']}.angle"][-1] == pytest.approx(q[-1], abs=1e-7)
     assert run[f"{names['elbow.angle']}.speed"][-1] == pytest.approx(u[-1], abs=1e-6)
     with pytest.raises(InputError, match="equations alone"):
@@ -83,10 +81,8 @@ def test_a_run_of_what_came_back_is_the_scenes_own():
 
 
 @pytest.mark.parametrize(
-    ("scene", "found"),
-    [(cam_follower.scene, "Nearest"), (slider_crank_dc_motor.scene, "a state that is no coordinate")],
-    ids=["a curve", "a state"],
-)
+    ("scene", "found"), [(cam_follower.scene, "Nearest"), (slider_crank_dc_motor.scene, "a state that is no coordinate")], ids=["a curve", "a state"],
+)  # fmt: skip
 def test_effects_that_sympy_lacks_are_listed(scene, found):
     with pytest.raises(InputError, match=found):
         to_sympy(scene)

@@ -24,10 +24,8 @@ from hertzwerk.derive import Coupling, Direction, EnergyLedger, Gravity, InputEr
 from hertzwerk.runtime.loading import engine_model
 
 SCALES = Scales(
-    Parameter("scale_of_lengths", "m", 1),
-    Parameter("scale_of_speeds", "m/s", 1),
-    arm=Parameter("scale_of_arms", "m", 1),
-)
+    Parameter("scale_of_lengths", "m", 1), Parameter("scale_of_speeds", "m/s", 1), arm=Parameter("scale_of_arms", "m", 1),
+)  # fmt: skip
 DOWN = (1, 2, -2)  # robots may lie on their side
 GRAVITY = Gravity("weight", Parameter("gravity_of_the_world", "m/s^2", 9.81), direction=Direction(DOWN))
 STATES = 3

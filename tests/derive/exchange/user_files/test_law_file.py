@@ -179,16 +179,14 @@ def test_every_expression_is_audited_as_written(file):
 
 MISTAKES = [  # law, change, expression at fault, sub-expression, found, expected
     (FOAM, ("K*d**n*exp(d/h)", "K*d**1*exp(d/h)"), "force", "K*d**1*exp(d/h)", "N/m^(n-1)", "N"),
-    (FOAM, ("exp(d/h)", "exp(5*d)"), "force", "exp(5*d)", "m", "1"),
-    (FOAM, ("exp(d/h)", "(1 + d - d)"), "force", "1 + d", "1", "m"),
+    (FOAM, ("exp(d/h)", "exp(5*d)"), "force", "exp(5*d)", "m", "1"), (FOAM, ("exp(d/h)", "(1 + d - d)"), "force", "1 + d", "1", "m"),
     (FOAM, ('reach = "h"', 'reach = "h**2"'), "reach", "h**2", "m^2", "m"),
     (FOAM, ('"N/m^n"', '"N/m^1.5"'), "force", "K*d**n*exp(d/h)", "N m^(n-1.5)", "N"),
     (HERTZ, ("sqrt(R_eff)", "sqrt(L)*R_eff"), "definition of K", "4/3*E_eff*sqrt(L)*R_eff", "N/m^0.5", "N/m^1.5"),
-    (HERTZ, ("d**2.5", "d**1.5"), "stored", "2/5*K*d**1.5", "N", "J"),
-    (DAMPING, ("8*(1 - e)", "8*(m_eff - e)"), "factor", "m_eff - e", "1", "kg"),
+    (HERTZ, ("d**2.5", "d**1.5"), "stored", "2/5*K*d**1.5", "N", "J"), (DAMPING, ("8*(1 - e)", "8*(m_eff - e)"), "factor", "m_eff - e", "1", "kg"),
     (DAMPING, ("k_t*m_eff", "F*m_eff"), "term", "2*xi*sqrt(F*m_eff)*v", "N m^0.5", "N"),
     (FRICTION, ("s/v_s", "5*s"), "force", "tanh(5*s)", "m/s", "1"),
-]
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -253,25 +251,16 @@ def test_a_scene_with_an_inconsistent_law_of_a_file_is_refused(file):
 # --- faults ---------------------------------------------------------------------------------------------------------
 
 FAULTS = [  # text, parts of the message
-    ("", ["no laws", "[[law]]"]),
-    ("x = 1", ["the key 'x'"]),
-    ("law = 3", ["[[law]]"]),
-    ("[[law]\n", ["TOML"]),
-    ("[[law]]\nkind = 'spring'", ["'spring'", "stiffness, damping, friction, film"]),
-    (FOAM.replace("kind", "kinds"), ["kind", "none"]),
+    ("", ["no laws", "[[law]]"]), ("x = 1", ["the key 'x'"]), ("law = 3", ["[[law]]"]), ("[[law]\n", ["TOML"]),
+    ("[[law]]\nkind = 'spring'", ["'spring'", "stiffness, damping, friction, film"]), (FOAM.replace("kind", "kinds"), ["kind", "none"]),
     (FOAM.replace("force =", "forse ="), ["law foam, forse: found no key", "did you mean force or form?", "the force"]),
     (FOAM.replace('reach = "h"', 'factor = "h"'), ["law foam, factor: found no key", "belongs to a damping law"]),
-    (FOAM + FOAM, ["a second law foam"]),
-    (FOAM.replace('"foam"', '"hertz_point"'), ["the name of a built-in law"]),
+    (FOAM + FOAM, ["a second law foam"]), (FOAM.replace('"foam"', '"hertz_point"'), ["the name of a built-in law"]),
     (FOAM.replace('"foam"', '"my foam"'), ["'my foam'", "letters, digits and _"]),
-    (FOAM.replace('grade = "C"', 'grade = "A+"'), ["'A+'", "A, B, C, R"]),
-    (FOAM.replace("source", "note"), ["where the law comes from"]),
-    (FOAM.replace("N/m^n", "newton/m"), ["newton/m", "a unit"]),
-    (FOAM.replace("N/m^n", "Hz"), ["rpm (1 Hz of turns is 60 rpm) or rad/s"]),
-    (FOAM.replace("N/m^n", "N/m^q"), ["the exponent q", "declare q"]),
-    (FOAM.replace("[1, 3]", "1..3"), ["an interval such as"]),
-    (FOAM.replace("[1, 3]", "[3, 1]"), ["a lower bound below"]),
-    (FOAM.replace("5 cm", "5 s"), ["a quantity in mm"]),
+    (FOAM.replace('grade = "C"', 'grade = "A+"'), ["'A+'", "A, B, C, R"]), (FOAM.replace("source", "note"), ["where the law comes from"]),
+    (FOAM.replace("N/m^n", "newton/m"), ["newton/m", "a unit"]), (FOAM.replace("N/m^n", "Hz"), ["rpm (1 Hz of turns is 60 rpm) or rad/s"]),
+    (FOAM.replace("N/m^n", "N/m^q"), ["the exponent q", "declare q"]), (FOAM.replace("[1, 3]", "1..3"), ["an interval such as"]),
+    (FOAM.replace("[1, 3]", "[3, 1]"), ["a lower bound below"]), (FOAM.replace("5 cm", "5 s"), ["a quantity in mm"]),
     (FOAM.replace("default = 20", "default = '20 mm'"), ["a finite number"]),
     (FOAM.replace("default = 20", "defualt = 20"), ["symbols.h.defualt: found no key", "did you mean default?"]),
     (FOAM.replace("ranges.dR", "ranges.q"), ["ranges.q"]),
@@ -279,8 +268,7 @@ FAULTS = [  # text, parts of the message
     (FOAM.replace("symbols.h =", "symbols.d ="), ["which the contact supplies", "name h"]),
     (FOAM.replace("symbols.h =", "symbols.exp ="), ["which expressions use themselves"]),
     (FOAM.replace("K*d**n*exp(d/h)", "K*d^n"), ["force, character 4", "a power is written d**n"]),
-    (FOAM.replace("K*d**n*exp(d/h)", "K*d**n*v"), ["the name v"]),
-    (FOAM.replace("K*d**n*exp(d/h)", "K*d**n*R_ef"), ["the name R_ef", "R_eff"]),
+    (FOAM.replace("K*d**n*exp(d/h)", "K*d**n*v"), ["the name v"]), (FOAM.replace("K*d**n*exp(d/h)", "K*d**n*R_ef"), ["the name R_ef", "R_eff"]),
     (FOAM.replace("K*d**n*exp(d/h)", "diff(K*d**n, d)"), ["'diff'", "operations on scalars"]),
     (FOAM.replace("K*d**n*exp(d/h)", "d > 0"), ["the comparison", "a quantity"]),
     (FOAM.replace("K*d**n*exp(d/h)", "K*d**n*tan(pi/2)"), ["without a value"]),
@@ -288,15 +276,12 @@ FAULTS = [  # text, parts of the message
     (FOAM.replace('reach = "h"', 'reach = "d"'), ["an expression without d"]),
     (HERTZ.replace("E/(2*(1 - nu**2))", "E*d"), ["definition of E_eff", "an expression without d"]),
     (HERTZ.replace('symbol = "K"', 'symbol = "E"'), ["a second symbol E"]),
-    (HERTZ.replace('expression = "E/(2*(1 - nu**2))"', "expression = true"), ["expected"]),
-    (DAMPING.replace("term =", "factor ="), []),
-    (DAMPING.replace('term = "2', 'factor = "xi"\nterm = "2'), ["factor and term"]),
-    (DAMPING.replace('"gap"', '"never"'), ["force or gap"]),
+    (HERTZ.replace('expression = "E/(2*(1 - nu**2))"', "expression = true"), ["expected"]), (DAMPING.replace("term =", "factor ="), []),
+    (DAMPING.replace('term = "2', 'factor = "xi"\nterm = "2'), ["factor and term"]), (DAMPING.replace('"gap"', '"never"'), ["force or gap"]),
     (FRICTION.replace('force = "mu*N', 'note = "mu*N'), ["the force"]),
     (FOAM.replace('grade = "C"', 'fitted_in = "mm"'), ["with verdict outside_si alone"]),
-    (FOAM.replace('grade = "C"', 'verdict = "fine"'), ["'fine'"]),
-    (FOAM.replace('title = "Foam pad"', "title = 3"), ["printable text"]),
-]
+    (FOAM.replace('grade = "C"', 'verdict = "fine"'), ["'fine'"]), (FOAM.replace('title = "Foam pad"', "title = 3"), ["printable text"]),
+]  # fmt: skip
 
 
 @each(("text", "parts"), FAULTS)
@@ -332,12 +317,8 @@ def test_a_law_without_a_number_has_one_fault(file, text, parts):
 def test_all_faults_of_the_tables_come_at_once(file):
     """Of one law what each entry is by itself, beside what the entries of another mean to each other."""
     wrong = {
-        "title = ": "title = 3 #",
-        'grade = "C"': "grad = 1",
-        'unit = "mm"': 'unit = "inch"',
-        '"[1, 3]"': "[1, 3]",
-        "default = 20": "default = inf",
-    }
+        "title = ": "title = 3 #", 'grade = "C"': "grad = 1", 'unit = "mm"': 'unit = "inch"', '"[1, 3]"': "[1, 3]", "default = 20": "default = inf",
+    }  # fmt: skip
     text = FOAM
     for old, new in wrong.items():
         text = text.replace(old, new)
@@ -366,17 +347,14 @@ def test_a_file_that_is_none(tmp_path):
 
 JUNK = st.recursive(
     st.one_of(
-        st.integers(-9, 9),
-        st.booleans(),
-        st.sampled_from(["", "d", "K*d**n", "N", "1", "(0, 1]", "stiffness", "damping", "friction"]),
-        st.floats(),
+        st.integers(-9, 9), st.booleans(), st.sampled_from(["", "d", "K*d**n", "N", "1", "(0, 1]", "stiffness", "damping", "friction"]), st.floats(),
     ),
     lambda inner: st.one_of(
         st.lists(inner, max_size=3),
         st.dictionaries(st.sampled_from(["K", "n", "unit", "meaning", "symbol", "expression"]), inner, max_size=3),
     ),
     max_leaves=6,
-)
+)  # fmt: skip
 KEYS = ["name", "kind", "title", "source", "grade", "force", "stored", "reach", "exponent", "factor", "term", "slope", "release", "symbols",
         "definitions", "ranges", "verdict", "fitted_in", "note", "relation"]  # fmt: skip
 

@@ -201,12 +201,10 @@ def test_every_fault_of_elements_is_reported_at_once(tmp_path):
     for part in (
         "link a, inertial.mass.value: found 'heavy'; expected a mass of at least 0 kg",
         "link a, inertial.inertia.iyy: found 'nan'; expected a finite number",
-        "link a, collision.0.geometry.sphere.radius: found '-1'; expected a positive number",
-        "link 2, name: found none; expected a name",
+        "link a, collision.0.geometry.sphere.radius: found '-1'; expected a positive number", "link 2, name: found none; expected a name",
         "joint j, type: found 'hinge'; expected revolute, continuous, prismatic, fixed, floating or planar",
-        "joint j, axis.xyz: found none; expected three numbers",
-        "joint k, parent: found none; expected reference to a link",
-    ):
+        "joint j, axis.xyz: found none; expected three numbers", "joint k, parent: found none; expected reference to a link",
+    ):  # fmt: skip
         assert part in said, said
 
 
@@ -222,14 +220,10 @@ def test_every_fault_between_elements_is_reported_at_once(tmp_path):
         + joint("n", "fixed", "a", "c") + joint("o", "fixed", "a", "c-1") + joint("p", "fixed", "a", "c_1") + "</robot>",
     )  # fmt: skip
     for part in (
-        "link c_1: found 2 of this name",
-        "joint j, axis: found 0 0 0",
-        "joint k, axis: found (0.0, 1.0, 1.0); expected an axis of the joint's frame",
-        "joint l, child: found nowhere, which is no link",
-        "joint l, mimic: found l, a floating joint; expected a joint of one coordinate",
-        "joint m, mimic: found none, which is no joint",
-        "joint m, joint n: found c, which another joint carries too",
-    ):
+        "link c_1: found 2 of this name", "joint j, axis: found 0 0 0", "joint k, axis: found (0.0, 1.0, 1.0); expected an axis of the joint's frame",
+        "joint l, child: found nowhere, which is no link", "joint l, mimic: found l, a floating joint; expected a joint of one coordinate",
+        "joint m, mimic: found none, which is no joint", "joint m, joint n: found c, which another joint carries too",
+    ):  # fmt: skip
         assert part in said, said
 
 
@@ -378,10 +372,8 @@ def test_likely_causes_and_ways_out_of_files_that_contradict_themselves(tmp_path
         in faults_of(tmp_path, drone)
     )
     hand = robot_with(
-        joint("left_thumb", "revolute", "base", "a"),
-        joint("left_index", "revolute", "a", "b", '<mimic joint="thumb"/>'),
-        links="ab",
-    )
+        joint("left_thumb", "revolute", "base", "a"), joint("left_index", "revolute", "a", "b", '<mimic joint="thumb"/>'), links="ab",
+    )  # fmt: skip
     assert (
         "joint left_index, mimic: found thumb, which is no joint; expected another joint\n      did you mean left_thumb?"
         in faults_of(tmp_path, hand)
@@ -393,10 +385,8 @@ def test_likely_causes_and_ways_out_of_files_that_contradict_themselves(tmp_path
 
 def test_a_joint_of_several_coordinates_that_mimics_a_fixed_one_is_no_weld(tmp_path):
     text = robot_with(
-        joint("glue", "fixed", "base", "a"),
-        joint("loose", "floating", "base", "b", '<mimic joint="glue"/>'),
-        links="ab",
-    )
+        joint("glue", "fixed", "base", "a"), joint("loose", "floating", "base", "b", '<mimic joint="glue"/>'), links="ab",
+    )  # fmt: skip
     assert "joint loose, mimic: found loose, a floating joint; expected a joint of one coordinate" in faults_of(
         tmp_path, text
     )
@@ -413,10 +403,7 @@ def test_every_fault_of_options_is_reported_at_once(tmp_path):
         hd.from_urdf(path, locked={"turm": 0, "turn": "0.1", "glue": float("nan")})
     reported = str(caught.value)
     for part in (
-        "locked, turm: found no joint of this name",
-        "did you mean turn?",
-        "locked, turn: found '0.1'; expected a finite number, in rad or m",
-        "locked, glue: found a fixed joint; expected a joint of one coordinate",
-        "locked, glue: found nan",
-    ):
+        "locked, turm: found no joint of this name", "did you mean turn?", "locked, turn: found '0.1'; expected a finite number, in rad or m",
+        "locked, glue: found a fixed joint; expected a joint of one coordinate", "locked, glue: found nan",
+    ):  # fmt: skip
         assert part in reported, reported

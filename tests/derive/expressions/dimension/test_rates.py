@@ -78,13 +78,9 @@ def wheel(speed, **more):
         hd.Parameter("size", "m", 1),
     )
     return hd.Scene(
-        hd.Mechanism(
-            "wheel", (hd.Revolute("axle", hd.GROUND, body, hd.Z), hd.Prismatic("way", hd.GROUND, block, hd.X))
-        ),
-        (speed,),
-        hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1), arm=size),
-        **more,
-    )
+        hd.Mechanism("wheel", (hd.Revolute("axle", hd.GROUND, body, hd.Z), hd.Prismatic("way", hd.GROUND, block, hd.X))), (speed,),
+        hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1), arm=size), **more,
+    )  # fmt: skip
 
 
 def test_declarations_are_held_to_it():

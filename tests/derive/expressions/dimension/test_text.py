@@ -275,10 +275,8 @@ def _fuzz(count: int, seed: int) -> tuple[int, int]:
         _watching = True
         try:
             for reader, text, error in (
-                (read, expression, TextError),
-                (parse_unit, unit, UnitError),
-                (parse_quantity, unit, UnitError),
-            ):
+                (read, expression, TextError), (parse_unit, unit, UnitError), (parse_quantity, unit, UnitError),
+            ):  # fmt: skip
                 try:
                     reader(text)
                     accepted += 1
@@ -318,12 +316,10 @@ TEXTS = st.recursive(
         st.builds("({} {} {})".format, inner, st.sampled_from(["+", "-", "*"]), inner),
         st.builds("{}({})".format, st.sampled_from(["sin", "cos", "tanh", "abs", "atan", "exp"]), inner),
         st.builds("{}({}, {})".format, st.sampled_from(["min", "max"]), inner, inner),
-        st.builds("where({} > {}, {}, {})".format, LEAVES, LEAVES, inner, inner),
-        st.builds("(-{})".format, inner),
-        st.builds("{}**2".format, LEAVES),
+        st.builds("where({} > {}, {}, {})".format, LEAVES, LEAVES, inner, inner), st.builds("(-{})".format, inner), st.builds("{}**2".format, LEAVES),
     ),
     max_leaves=8,
-)
+)  # fmt: skip
 
 
 @given(TEXTS, st.floats(-2, 2), st.floats(-2, 2), st.floats(-2, 2))

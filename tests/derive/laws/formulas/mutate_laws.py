@@ -98,10 +98,8 @@ def _rows(name: str, row: Any) -> Iterator[tuple[str, str, Any]]:
         if isinstance(expression, Parameter):
             p = expression
             yield (
-                f"default of {symbol.name}",
-                str(p.default),
-                (symbol, Parameter(p.name, p.unit, p.default * float(BY), p.meaning)),
-            )
+                f"default of {symbol.name}", str(p.default), (symbol, Parameter(p.name, p.unit, p.default * float(BY), p.meaning)),
+            )  # fmt: skip
             continue
         for constant, changed in _changed(expression):
             yield f"{name[:-1]} {symbol.name}", constant, (symbol, *expressions[:k], changed, *expressions[k + 1 :])

@@ -114,18 +114,11 @@ def test_the_comparison_would_notice_a_missing_parenthesis():
 @each(
     ("expression", "text"),
     [
-        (x**2, "x*x"),
-        (x**3, "x*x*x"),
-        (x ** sp.Rational(3, 2), "x*ca.sqrt(x)"),
-        (x ** sp.Rational(5, 2), "x*x*ca.sqrt(x)"),
-        ((-x) ** sp.Rational(3, 2), "-x*ca.sqrt(-x)"),
-        ((x - y) ** sp.Rational(3, 2), "(x - y)*ca.sqrt(x - y)"),
-        (sp.sqrt(x), "ca.sqrt(x)"),
-        (1 / sp.sqrt(x), "1/ca.sqrt(x)"),
-        (x**-1, "1/x"),
-        (x**n, "x**n"),
+        (x**2, "x*x"), (x**3, "x*x*x"), (x ** sp.Rational(3, 2), "x*ca.sqrt(x)"), (x ** sp.Rational(5, 2), "x*x*ca.sqrt(x)"),
+        ((-x) ** sp.Rational(3, 2), "-x*ca.sqrt(-x)"), ((x - y) ** sp.Rational(3, 2), "(x - y)*ca.sqrt(x - y)"), (sp.sqrt(x), "ca.sqrt(x)"),
+        (1 / sp.sqrt(x), "1/ca.sqrt(x)"), (x**-1, "1/x"), (x**n, "x**n"),
     ],
-)
+)  # fmt: skip
 def test_powers_are_reduced_to_products_and_roots(expression, text):
     assert expression_text(expression) == text
 
@@ -166,10 +159,8 @@ def drop(summary="", mass="mass", stiffness="stiffness", radius="radius", defaul
     size = hd.Parameter(radius, "m", 0.1)
     floor = hd.SphereOnPlane("floor", ball.at(0, 0, 0), size, hd.GROUND.at(0, 0, 0), hd.Y)
     contact = hd.Contact(
-        "floor",
-        power(hd.Parameter(stiffness, "N/m^1.5", 1e6), 1.5),
-        damping or flores(hd.Parameter("restitution", "1", 0.8)),
-    )
+        "floor", power(hd.Parameter(stiffness, "N/m^1.5", 1e6), 1.5), damping or flores(hd.Parameter("restitution", "1", 0.8)),
+    )  # fmt: skip
     return hd.Scene(
         hd.Mechanism("drop", (hd.Prismatic("fall", hd.GROUND, ball, hd.Y),), (floor,)),
         (hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), -hd.Y), contact, hd.EnergyLedger()),
@@ -209,11 +200,8 @@ def test_parameters_may_have_every_name_that_the_text_has_for_itself():
     assert [name for name, *_ in b.PARAMETERS[: len(OWN)]] == list(OWN)
     used = {name for function, _ in a.OPERATIONS for name in a.arguments(function)}
     assert used == set(OWN) - {
-        "ca",
-        "multipliers",
-        "friction",
-        "touching",
-    }  # those of a scene without a drive, and of readings
+        "ca", "multipliers", "friction", "touching",
+    }  # those of a scene without a drive, and of readings  # fmt: skip
     given = {name: np.random.default_rng(1).normal(size=60) for name in used} | {"t": 0.3}
     for function, _ in a.OPERATIONS:
         theirs = {name: given[name] for name in a.arguments(function) if name not in "pc"}

@@ -81,16 +81,13 @@ def test_joints_that_make_no_belt_are_refused():
         hd.Scene(
             hd.Mechanism("m", (HANGS, TURNS)),
             (
-                DOWN,
-                hd.BeltOnDrum("a", "", "", DRY, *GIVEN),
-                hd.BeltOnDrum("b", "fall", "axle", DRY, *GIVEN),
+                DOWN, hd.BeltOnDrum("a", "", "", DRY, *GIVEN), hd.BeltOnDrum("b", "fall", "axle", DRY, *GIVEN),
                 hd.BeltOnDrum("c", "nowhere", "", DRY, *GIVEN),
                 hd.BeltOnDrum("d", "axle", "", hd.laws.coulomb(p("mu", "1", MU), p("mu_2", "1", MU)), *GIVEN),
-                hd.BeltOnDrum("e", "axle", "", DRY, p("mu", "1", MU), *GIVEN[1:]),
-                hd.BallFriction("f", "axle", DRY, GIVEN[1]),
+                hd.BeltOnDrum("e", "axle", "", DRY, p("mu", "1", MU), *GIVEN[1:]), hd.BallFriction("f", "axle", DRY, GIVEN[1]),
             ),
             SCALES,
-        )
+        )  # fmt: skip
     assert {fault.where.split(",")[0] for fault in caught.value.faults} >= {f"effect {name}" for name in "abcdef"}
 
 

@@ -194,16 +194,8 @@ def test_a_film_in_space_is_the_one_in_the_plane():
 
 
 UNSOUND = {
-    "viscosity that is none": (
-        lambda: film(lambda eta: short_bearing(hd.Parameter("viscosity", "Pa", 1))),
-        "viscosity",
-        "Pa s",
-    ),
-    "kinematic viscosity": (
-        lambda: film(lambda eta: long_bearing(hd.Parameter("viscosity", "mm^2/s", 1))),
-        "viscosity",
-        "Pa s",
-    ),
+    "viscosity that is none": (lambda: film(lambda eta: short_bearing(hd.Parameter("viscosity", "Pa", 1))), "viscosity", "Pa s"),
+    "kinematic viscosity": (lambda: film(lambda eta: long_bearing(hd.Parameter("viscosity", "mm^2/s", 1))), "viscosity", "Pa s"),
     "a bare number": (lambda: film(lambda eta: short_bearing(0.05)), "bare number", "Parameter"),
     "a layer of half the clearance": (lambda: film(thin=clearance / 2), "0.5", "(0, 0.5)"),
     "a layer that is no length": (lambda: film(thin=viscosity), "viscosity", "m"),
@@ -211,17 +203,9 @@ UNSOUND = {
     "cavitation of a journal": (lambda: replace(film(), cavitation=True), "cavitation=True", "sphere_film"),
     "no pair": (lambda: hd.Lubrication("oil", "elsewhere", short_bearing(viscosity), layer), "elsewhere", "joint"),
     "a law that is no film": (lambda: hd.Lubrication("oil", "joint", flores(0.5), layer), "flores", "film law"),
-    "a film as friction": (
-        lambda: hd.Friction("rub", "joint", short_bearing(viscosity)),
-        "short_bearing",
-        "friction law",
-    ),
-    "a law without its viscosity": (
-        lambda: hd.Lubrication("oil", "joint", short_bearing, layer),
-        "without its parameters",
-        "eta",
-    ),
-}
+    "a film as friction": (lambda: hd.Friction("rub", "joint", short_bearing(viscosity)), "short_bearing", "friction law"),
+    "a law without its viscosity": (lambda: hd.Lubrication("oil", "joint", short_bearing, layer), "without its parameters", "eta"),
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("case", UNSOUND)

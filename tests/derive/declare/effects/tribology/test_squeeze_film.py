@@ -193,12 +193,9 @@ def test_beside_rest_the_film_damps_a_vibration():
 UNSOUND = {
     "cavitation of a journal's law": (lambda: oil(short_bearing, cavitation=True), "sphere"),
     "a bearing's law before a sphere": (lambda: oil(short_bearing), "pin_in_bush"),
-    "a viscosity that is none": (
-        lambda: hd.Lubrication("oil", "floor", sphere_film(hd.Parameter("nu", "mm^2/s", 1)), layer),
-        "Pa s",
-    ),
+    "a viscosity that is none": (lambda: hd.Lubrication("oil", "floor", sphere_film(hd.Parameter("nu", "mm^2/s", 1)), layer), "Pa s"),
     "a layer that is no length": (lambda: hd.Lubrication("oil", "floor", sphere_film(eta), eta), "m"),
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("case", UNSOUND)

@@ -144,10 +144,8 @@ def test_sectors_wider_than_the_contact_are_reported():
     model, found = load(journal(None, RATE)), []
     for weight in (2 * M * G, 0.04):
         light = {
-            "g": (weight / (2 * M), "m/s^2"),
-            "low": (-CLEARANCE - weight / STIFFNESS, "m"),
-            "repetitions": (1, "1"),
-        }
+            "g": (weight / (2 * M), "m/s^2"), "low": (-CLEARANCE - weight / STIFFNESS, "m"), "repetitions": (1, "1"),
+        }  # fmt: skip
         options = {"duration": 0.05, "tolerance": 1e-6, "method": "dop853", "compiled": False}
         found.append(simulate(model, parameters=light, **options).warnings)
     product = BUSH * PIN

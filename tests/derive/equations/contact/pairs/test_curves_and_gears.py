@@ -244,10 +244,8 @@ def test_two_pairs_of_teeth_touch_for_the_part_of_the_pitch_that_the_contact_rat
 def test_a_mesh_is_twice_as_stiff_where_two_pairs_of_teeth_carry():
     """A slow pinion against a torque: the wheel lags by T/(K r_b), half of that in double contact."""
     pace, load_, damping = (
-        hd.Parameter("pace", "rad/s", 10),
-        hd.Parameter("load", "N m", 0.4),
-        hd.laws.power_damping(hd.Parameter("c", "N s/m", 500), 0),
-    )
+        hd.Parameter("pace", "rad/s", 10), hd.Parameter("load", "N m", 0.4), hd.laws.power_damping(hd.Parameter("c", "N s/m", 500), 0),
+    )  # fmt: skip
     effects = hd.ConstantSpeed("motor", "one", pace), hd.JointForce("brake", "two", load_)
     at = np.pi + np.pi / 30 + (HALF_BACKLASH + 0.4 / BASE[1] / 1e6) / BASE[1]
     start = hd.Start(position={"two": hd.Parameter("at", "rad", at)}, speed={"two": -pace * 2 / 3})
@@ -284,12 +282,9 @@ def test_all_faults_come_at_once():
     )  # fmt: skip
     with pytest.raises(hd.InputError) as error:
         hd.Scene(
-            hd.Mechanism(
-                "faulty", (hd.Revolute("shaft", hd.GROUND, CAM, axis=hd.Z), hd.Planar("free", hd.GROUND, PLATE)), wrong
-            ),
-            (),
+            hd.Mechanism("faulty", (hd.Revolute("shaft", hd.GROUND, CAM, axis=hd.Z), hd.Planar("free", hd.GROUND, PLATE)), wrong), (),
             hd.Scales(R, hd.Parameter("pace", "m/s", 1), R),
-        )
+        )  # fmt: skip
     actual = str(error.value)
     for text in (
         "curve none, pieces: found ()", "pair mixed, curves: found a curve and an outline",

@@ -43,10 +43,8 @@ def test_one_name_stands_for_all_and_an_own_law_for_one():
     own = power(hd.Parameter("soft", "N/m", 1e5), n=1)
     many = scene(balls, hd.every_pair("balls", balls, R), (hd.Contact("balls", LAW), hd.Contact("balls_1_3", own)))
     assert {effect.pair: effect.stiffness for effect in many.all(hd.Contact)} == {
-        "balls_1_2": LAW,
-        "balls_1_3": own,
-        "balls_2_3": LAW,
-    }
+        "balls_1_2": LAW, "balls_1_3": own, "balls_2_3": LAW,
+    }  # fmt: skip
     assert not many.without("balls").all(hd.Contact)
 
 
@@ -62,11 +60,9 @@ def test_every_fault_is_listed():
         hd.every_pair("a ball", [one, "two", two, one.at(0, 0, 0)], "5 mm")
     places = [(fault.where, fault.found) for fault in caught.value.faults]
     assert places == [
-        ("pairs", "the name 'a ball'"),
-        ("pairs a ball, radius", "'5 mm'"),
-        ("pairs a ball, sphere 2", "'two'"),
+        ("pairs", "the name 'a ball'"), ("pairs a ball, radius", "'5 mm'"), ("pairs a ball, sphere 2", "'two'"),
         ("pairs a ball, sphere 4", "the place of sphere 1"),
-    ]
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize("few", [7, [], bodies(1), hd.GROUND.at(0, 0, 0)])

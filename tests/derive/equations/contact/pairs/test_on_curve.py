@@ -145,19 +145,13 @@ def test_a_parameter_may_be_called_s():
 
 def test_all_faults_come_at_once():
     wrong = (
-        hd.Curve("clockwise", R * sp.cos(hd.S), -R * sp.sin(hd.S)),
-        hd.Curve("half", R * sp.cos(hd.S), R * sp.sin(hd.S), end=3),
-        hd.Curve("eight", R * sp.sin(2 * hd.S), R * sp.sin(hd.S)),
-        hd.Curve("bare", 30 * sp.cos(hd.S), R * sp.sin(hd.S)),
-        hd.Curve("no_metres", hd.Parameter("turn", "rad", 1) * sp.cos(hd.S), R * sp.sin(hd.S)),
-        hd.Curve("still", R, R),
-        hd.Curve("cusp", R * hd.S**2, R * hd.S**3, -1, 1, closed=False),
-        hd.Curve("gap", R * sp.log(hd.S), R * hd.S, closed=False),
-        hd.Curve("strange", hd.X, R * sp.Symbol("q"), 2, 1),
-        hd.Curve("open hole", R * hd.S, R * hd.S**2, closed=False, hole=True),
-        hd.curve_through("flat", (0, 1, 1, 0), (0, 0, 1, 1), "s"),
-        "R*cos(S)",
-    )
+        hd.Curve("clockwise", R * sp.cos(hd.S), -R * sp.sin(hd.S)), hd.Curve("half", R * sp.cos(hd.S), R * sp.sin(hd.S), end=3),
+        hd.Curve("eight", R * sp.sin(2 * hd.S), R * sp.sin(hd.S)), hd.Curve("bare", 30 * sp.cos(hd.S), R * sp.sin(hd.S)),
+        hd.Curve("no_metres", hd.Parameter("turn", "rad", 1) * sp.cos(hd.S), R * sp.sin(hd.S)), hd.Curve("still", R, R),
+        hd.Curve("cusp", R * hd.S**2, R * hd.S**3, -1, 1, closed=False), hd.Curve("gap", R * sp.log(hd.S), R * hd.S, closed=False),
+        hd.Curve("strange", hd.X, R * sp.Symbol("q"), 2, 1), hd.Curve("open hole", R * hd.S, R * hd.S**2, closed=False, hole=True),
+        hd.curve_through("flat", (0, 1, 1, 0), (0, 0, 1, 1), "s"), "R*cos(S)",
+    )  # fmt: skip
     pairs = tuple(
         hd.CircleOnCurve(f"touch_{k}", PLATE.at(0, 0, 0), ROLLER, curve, CAM.at(0, 0, 0))
         for k, curve in enumerate(wrong)
@@ -183,12 +177,9 @@ def test_names_of_a_curve_are_its_own():
     )
     with pytest.raises(hd.InputError, match="two different curves of this name") as error:
         hd.Scene(
-            hd.Mechanism(
-                "faulty", (hd.Revolute("shaft", hd.GROUND, CAM, axis=hd.Z), hd.Planar("free", hd.GROUND, PLATE)), pairs
-            ),
-            (),
+            hd.Mechanism("faulty", (hd.Revolute("shaft", hd.GROUND, CAM, axis=hd.Z), hd.Planar("free", hd.GROUND, PLATE)), pairs), (),
             hd.Scales(R, hd.Parameter("pace", "m/s", 1), R),
-        )
+        )  # fmt: skip
     assert "a parameter named RIM_curve" in str(error.value)
 
 
@@ -206,11 +197,8 @@ def test_a_cam_loses_its_follower_above_the_speed_in_closed_form(share, lifts):
     critical = np.sqrt(2 * (50 + 2000 * 0.01 + 0.5 * 9.81) / (0.5 * 0.01))
     model = load("cam_follower")
     run = simulate(
-        model,
-        duration=f"{2 * np.pi / critical} s",
-        accuracy=1e-6,
-        parameters={"cam_speed": f"{share * critical} rad/s"},
-    )
+        model, duration=f"{2 * np.pi / critical} s", accuracy=1e-6, parameters={"cam_speed": f"{share * critical} rad/s"},
+    )  # fmt: skip
     assert run.outcome.name == "finished"
     assert (len(run.impacts) > 1) == lifts
     assert (run["roller.gap"].max() > 1e-7) == lifts

@@ -186,11 +186,8 @@ def test_beside_its_recess_the_edge_of_the_disc_locks_the_wheel(geneva, crank):
     for share in (0.5, 1):
         apart = np.sqrt(rho**2 + D**2 - 2 * rho * D * np.cos(abs(np.arctan2(y, x)) + share * turned))
         actual = geneva.call(
-            "gaps",
-            t=np.radians(crank + 60) / (4 * np.pi),
-            q=np.array([np.pi / 4 + side * share * turned]),
-            u=np.zeros(1),
-        )[0][1]
+            "gaps", t=np.radians(crank + 60) / (4 * np.pi), q=np.array([np.pi / 4 + side * share * turned]), u=np.zeros(1),
+        )[0][1]  # fmt: skip
         assert actual == pytest.approx(hollow - apart, abs=1e-14)
 
 

@@ -58,13 +58,9 @@ def rounded(half):
 
 
 POINTS = {
-    "box": boxed((a / 2, b / 2, c / 2)),
-    "face": boxed((b / 2, a / 2, 0)),
-    "edge": along((1, 2, 2))(a / 2),
-    "cylinder": rounded(a / 2),
-    "endless edge": along((1, 2, 2))(FAR),
-    "endless cylinder": rounded(FAR),
-}
+    "box": boxed((a / 2, b / 2, c / 2)), "face": boxed((b / 2, a / 2, 0)), "edge": along((1, 2, 2))(a / 2), "cylinder": rounded(a / 2),
+    "endless edge": along((1, 2, 2))(FAR), "endless cylinder": rounded(FAR),
+}  # fmt: skip
 
 
 def turned(axis, angle):
