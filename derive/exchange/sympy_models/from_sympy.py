@@ -32,7 +32,14 @@ from hertzwerk.derive.declare.scene.scales import Scales
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.declare.scene.start import Start
 from hertzwerk.derive.exchange.sympy_models.kinematics_audit import kinematic_faults
-from hertzwerk.derive.exchange.sympy_models.mechanism_by_expressions import MechanismByExpressions
+from hertzwerk.derive.exchange.sympy_models.mechanism_by_expressions import (
+    Condition,
+    Description,
+    DynamicEquations,
+    Linear,
+    MechanismByExpressions,
+    Placed,
+)
 from hertzwerk.derive.exchange.sympy_models.model_equations import (
     Reading,
     connected,
@@ -40,13 +47,6 @@ from hertzwerk.derive.exchange.sympy_models.model_equations import (
     mass_centre,
     points_of,
     reading_of,
-)
-from hertzwerk.derive.exchange.sympy_models.motion_by_expressions import (
-    Condition,
-    Description,
-    DynamicEquations,
-    Linear,
-    Placed,
 )
 from hertzwerk.derive.exchange.sympy_models.to_sympy import TIME
 from hertzwerk.derive.exchange.sympy_models.translation import METRE, SECOND, Naming, name_of
@@ -197,24 +197,9 @@ class Model:
         return Placed(axes, (x, y, z), self._linear_vector(reading.velocity(point)), turning)
 
     def _linear_vector(self, vector: Any) -> tuple[Linear, Linear, Linear]:
-        """Components along the ground's axes.
-
-        Each part is differentiated along the axes in which it is written.
-        """
-        shares: tuple[dict[str, list[Any]], ...] = ({}, {}, {})
-        rests: tuple[list[Any], ...] = ([], [], [])
-        for values, frame in vector.args if vector != 0 else ():
-            matrix, parts = self._reading.frame.dcm(frame), [self._linear(value) for value in values]
-            for i in range(3):
-                for k, (share, rest) in enumerate(parts):
-                    turned = self._names.of(matrix[i, k])
-                    rests[i].append(turned * rest)
-                    for key, value in share.items():
-                        shares[i].setdefault(key, []).append(turned * value)
-        x, y, z = (
-            ({key: sp.Add(*terms) for key, terms in share.items()}, sp.Add(*rest))
-            for share, rest in zip(shares, rests, strict=True)
-        )
+        """Components along the ground's axes."""
+        components = vector.to_matrix(self._reading.frame) if vector != 0 else ZERO
+        x, y, z = map(self._linear, components)
         return x, y, z
 
     def _find_linear(self, expression: Any) -> Linear:
@@ -260,18 +245,12 @@ class Model:
 
     def _conditions(self) -> tuple[Condition, ...]:
         """Constraints, in metres, angles or metres a second: others are scaled by a length."""
-        reading, names = self._reading, self._names
-        conditions = []
-        for number, expression in enumerate(reading.holonomic, 1):
-            rate = expression.diff(TIME)
-            dimension = dimension_of(expression, names.table)
-            conditions.append(self._condition(f"holonomic_{number}", dimension, expression, rate))
-        for number, expression in enumerate(self._independent(), 1):
-            dimension = dimension_of(expression, names.table)
-            conditions.append(self._condition(f"nonholonomic_{number}", dimension, None, expression))
-        return tuple(conditions)
+        on_places = [(f"holonomic_{n}", e, e.diff(TIME)) for n, e in enumerate(self._reading.holonomic, 1)]
+        on_speeds = [(f"nonholonomic_{n}", None, e) for n, e in enumerate(self._independent(), 1)]
+        return tuple(self._condition(*each) for each in (*on_places, *on_speeds))
 
-    def _condition(self, name: str, dimension: Dimension, value: Any, rate: Any) -> Condition:
+    def _condition(self, name: str, value: Any, rate: Any) -> Condition:
+        dimension = dimension_of(rate if value is None else value, self._names.table)
         length = dimension if value is not None else dimension * SECOND
         power = 0 if length.every else length.L
         if length not in (METRE**power, Dimension.from_unit("1")) and not length.every:
@@ -295,18 +274,15 @@ class Model:
 
     def _independent(self) -> list[Any]:
         """Constraints on speeds that are no rates of those on coordinates, at the values and random states."""
-        reading, names = self._reading, self._names
-        if not reading.mixed:
-            return list(reading.nonholonomic)
-        independent: list[Any] = []
-        columns = [self._linear(expression.diff(TIME))[0] for expression in reading.holonomic]
-        for expression in reading.nonholonomic:
+        columns = [self._linear(expression.diff(TIME))[0] for expression in self._reading.holonomic]
+        if not self._reading.mixed or not columns:
+            return list(self._reading.nonholonomic)
+
+        def follows(expression: Any) -> bool:
             column = self._linear(expression)[0]
-            if not columns or not all(
-                _depends(columns, column, [names.keys[u] for u in reading.u], seed) for seed in (1, 2)
-            ):
-                independent.append(expression)
-        return independent
+            return all(_depends(columns, column, [*self._names.keys.values()], seed) for seed in (1, 2))
+
+        return [expression for expression in self._reading.nonholonomic if not follows(expression)]
 
     def _follows_time(self) -> bool:
         """Whether the motion itself follows time, so that there is a drive whose force is not known."""

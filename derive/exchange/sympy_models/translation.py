@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import sympy as sp
@@ -23,13 +23,12 @@ from hertzwerk.derive.expressions.parameter import Parameter, is_number
 METRE = Dimension.from_unit("m")
 SECOND = Dimension.from_unit("s")
 TURNING = Dimension.from_unit("rad/s")
-SPEEDS = {Dimension.from_unit("m/s"): ("m/s", "N"), TURNING: ("rad/s", "N m")}
-"""Unit of a speed, and of its generalised force, by the dimension."""
-COORDINATES: dict[Dimension, tuple[str, Literal["turn", "slide"], str]] = {
-    METRE: ("m", "slide", "travel"),
-    ONE: ("rad", "turn", "angle"),
+COORDINATES: dict[Dimension, tuple[Literal["turn", "slide"], str, str, str, str]] = {
+    METRE: ("slide", "travel", "m", "m/s", "N"),
+    ONE: ("turn", "angle", "rad", "rad/s", "N m"),
 }
-"""Unit, kind of freedom, and name of a coordinate, by the dimension."""
+"""Kind of freedom, name of its coordinate, and units of coordinate, speed and force, by the dimension of the coordinate."""
+SPEEDS = {METRE / SECOND, TURNING}
 
 
 def name_of(symbol: Any) -> str:
@@ -111,73 +110,52 @@ class Naming:
     def names(self) -> Names:
         """The names, sound if there are no faults."""
         q, u = self.reading.q, self.reading.u
-        minimal, partner = self._partners()
+        partner = {rate: coordinate for coordinate, rate in self.reading.rates.items()}
+        minimal = set(partner) == set(u) and len(partner) == len(q)
+        keys = {s: name_of(partner[s] if minimal else s) for s in u}
         speeds = [] if self.reading.lagrangian is not None else list(u)
         others = [a for a in atoms_of(self.expressions) if a not in q and a not in speeds]
-        parameters: dict[str, Parameter] = {}
-        instead: dict[Any, Any] = {TIME: T}
         for name, count in Counter(map(name_of, [*q, *speeds, *others])).items():
             if count > 1:
                 self.faults.append(Fault(f"symbol {name}", f"{count} symbols of this name", "names that are unique"))
-        moving: dict[Any, Any] = {}
-        for atom in others:
-            if isinstance(atom, AppliedUndef):
-                moving[atom] = self._specified(atom)
-            else:
-                parameters[name_of(atom)] = instead[atom] = self._parameter(atom)
+        moving = {atom: self._specified(atom) for atom in others if isinstance(atom, AppliedUndef)}
+        constants = {atom: self._parameter(atom) for atom in others if atom not in moving}
         for atom in q:
-            self._coordinate(atom)
-        if not minimal:
-            for atom in speeds:
-                self._dimension(atom)
+            self._dimension_among(COORDINATES, "coordinate", atom, "m or rad")
+        for atom in () if minimal else u:
+            self._dimension_among(SPEEDS, "speed", atom, "m/s or rad/s")
+        instead: dict[Any, Any] = {TIME: T, **constants, **moving}
         for atom, value in moving.items():
-            instead[atom] = value
             if all(symbol == T for symbol in states_in(value)):
                 instead |= {atom.diff(TIME, order): sp.diff(value, T, order) for order in (1, 2)}
-        names = [name_of(s) for s in q] if minimal else [*map(name_of, q), *map(name_of, u)]
-        for name in names:
+        for name in dict.fromkeys([*map(name_of, q), *keys.values()]):
             self.faults += name_faults(f"coordinate {name}", name)
-        keys = {s: name_of(partner[s]) for s in u} if minimal else {s: name_of(s) for s in u}
         if minimal:
-            for s in u:
-                self.table[s] = self.table.get(partner[s], Dimension.from_unit("1")) / SECOND
-        freedoms, measured, uncounted = self._freedoms(minimal, keys)
+            self.table |= {s: self.table.get(partner[s], ONE) / SECOND for s in u}
         instead |= {s: coordinate_of(name_of(s)) for s in q} | {s: speed_of(keys[s]) for s in u}
         derivatives = self.reading.derivatives
         self._unknown_derivatives({*instead, *derivatives})
         rates = {d: rate.xreplace(instead) for d, rate in derivatives.items() if d not in instead}
         self._unknown_entries([*q, *u, *others])
-        return Names(self.table, parameters, instead | rates, minimal, keys, freedoms, measured, uncounted, moving)
-
-    def _partners(self) -> tuple[bool, dict[Any, Any]]:
-        """Whether each speed is the derivative of one coordinate, and of which."""
-        partner = {rate: q for q, rate in self.reading.rates.items()}
-        return set(partner) == set(self.reading.u) and len(partner) == len(self.reading.q), partner
+        parameters = {name_of(atom): parameter for atom, parameter in constants.items()}
+        return Names(self.table, parameters, instead | rates, minimal, keys, *self._freedoms(minimal, keys), moving)
 
     def _dimension(self, atom: Any) -> Dimension | None:
         name = name_of(atom)
-        if name not in self.units:
-            self.faults.append(
-                Fault(f"symbol {name}", "no unit", "the unit of every symbol of the model", f"units={{{name}: ...}}")
-            )
-            return None
         try:
-            unit = parse_unit(self.units[name])
+            self.table[atom] = Dimension.from_unit(parse_unit(self.units[name]))
+        except KeyError:
+            expected = "the unit of every symbol of the model"
+            self.faults.append(Fault(f"symbol {name}", "no unit", expected, f"units={{{name}: ...}}"))
         except UnitError as error:
-            self.faults.append(Fault(f"symbol {name}", f"unit {shown(self.units[name])}", "a unit", str(error)))
-            return None
-        if unit.free_names:
-            self.faults.append(
-                Fault(f"symbol {name}", f"unit {self.units[name]}", "a unit without a symbolic exponent")
-            )
-            return None
-        self.table[atom] = Dimension.from_unit(unit)
-        return self.table[atom]
+            actual = f"unit {shown(self.units[name])}"
+            self.faults.append(Fault(f"symbol {name}", actual, "a unit without a symbolic exponent", str(error)))
+        return self.table.get(atom)
 
-    def _coordinate(self, atom: Any) -> None:
+    def _dimension_among(self, known: Collection[Dimension], kind: str, atom: Any, expected: str) -> None:
         of = self._dimension(atom)
-        if of is not None and of not in COORDINATES:
-            self.faults.append(Fault(f"coordinate {name_of(atom)}", f"unit {self.units[name_of(atom)]}", "m or rad"))
+        if of is not None and of not in known:
+            self.faults.append(Fault(f"{kind} {name_of(atom)}", f"unit {self.units[name_of(atom)]}", expected))
 
     def _parameter(self, atom: Any) -> Parameter:
         name = name_of(atom)
@@ -185,14 +163,8 @@ class Naming:
         self.faults += name_faults(f"symbol {name}", name)
         value = self.values.get(name, 0.0)
         if name not in self.values:
-            self.faults.append(
-                Fault(
-                    f"symbol {name}",
-                    "no value",
-                    "the value of every symbol that is constant",
-                    f"parameters={{{name}: ...}}",
-                )
-            )
+            expected = "the value of every symbol that is constant"
+            self.faults.append(Fault(f"symbol {name}", "no value", expected, f"parameters={{{name}: ...}}"))
         elif isinstance(value, bool) or not isinstance(value, int | float):
             self.faults.append(Fault(f"symbol {name}", f"value {shown(value)}", "a number, in the unit given"))
             value = 0.0
@@ -212,30 +184,13 @@ class Naming:
     def _freedoms(
         self, minimal: bool, keys: Mapping[Any, str]
     ) -> tuple[tuple[Freedom, ...], tuple[Freedom, ...], tuple[str, ...]]:
-        q = {s: COORDINATES.get(self.table.get(s, ONE), COORDINATES[ONE]) for s in self.reading.q}
-        ports = {s: Port(f"{name_of(s)}.{label}", unit) for s, (unit, _, label) in q.items()}
-        rates = {"m": (("m/s"), "N"), "rad": ("rad/s", "N m")}
-        whole = []
-        for s, (unit, kind, _) in q.items():
-            key = name_of(s)
-            pace, force = rates[unit]
-            whole.append(Freedom(kind, key, None, (ports[s],), (Port(f"{key}.speed", pace),), (Port(key, force),)))
+        of_q = [_freedom(name_of(s), self.table.get(s, ONE)) for s in self.reading.q]
         if minimal:
-            return tuple(whole), (), ()
-        alone = [Freedom("given", freedom.key, None, freedom.coordinates, (), ()) for freedom in whole]
-        for s in self.reading.u:
-            of = self.table.get(s)
-            if of is not None and of not in SPEEDS:
-                self.faults.append(Fault(f"speed {keys[s]}", f"unit {self.units[keys[s]]}", "m/s or rad/s"))
-            pace, force = SPEEDS.get(of or TURNING, SPEEDS[TURNING])
-            alone.append(
-                Freedom("given", keys[s], None, (), (Port(f"{keys[s]}.speed", pace),), (Port(keys[s], force),))
-            )
-            unit, kind, label = COORDINATES[ONE if pace == "rad/s" else METRE]
-            whole.append(
-                Freedom(kind, keys[s], None, (Port(f"{keys[s]}.{label}", unit),), alone[-1].speeds, alone[-1].forces)
-            )
-        return tuple(alone), tuple(whole), tuple(keys[s] for s in self.reading.u)
+            return tuple(of_q), (), ()
+        of_u = [_freedom(key, self.table.get(s, TURNING) * SECOND) for s, key in keys.items()]
+        given = [replace(freedom, kind="given", speeds=(), forces=()) for freedom in of_q]
+        given += [replace(freedom, kind="given", coordinates=()) for freedom in of_u]
+        return tuple(given), (*of_q, *of_u), tuple(keys.values())
 
     def _unknown_derivatives(self, known: set[Any]) -> None:
         """Note derivatives that nothing determines."""
@@ -249,9 +204,15 @@ class Naming:
 
     def _unknown_entries(self, atoms: list[Any]) -> None:
         known = {name_of(atom) for atom in atoms if isinstance(atom, sp.Symbol | AppliedUndef)}
-        for label, entries in (("values", self.values), ("specified", self.specified)):
-            for name in entries:
-                if name not in known:
-                    self.unused.append(
-                        Fault(f"{label}, {name}", "no such symbol in the model", "a symbol that it depends on")
-                    )
+        self.unused += [
+            Fault(f"{label}, {name}", "no such symbol in the model", "a symbol that it depends on")
+            for label, entries in (("values", self.values), ("specified", self.specified))
+            for name in entries
+            if name not in known
+        ]
+
+
+def _freedom(key: str, dimension: Dimension) -> Freedom:
+    """Freedom of one coordinate of this dimension, of an angle where it has none that is possible."""
+    kind, label, unit, pace, force = COORDINATES.get(dimension, COORDINATES[ONE])
+    return Freedom(kind, key, None, (Port(f"{key}.{label}", unit),), (Port(f"{key}.speed", pace),), (Port(key, force),))

@@ -261,8 +261,7 @@ def equations(scene: Scene) -> Readable:
 
 def sympy_file(scene: Scene, values: Mapping[str, tuple[float, str]]) -> str:
     """Return a file of Python that makes the equations of a scene with SymPy; raises InputError."""
-    from hertzwerk.derive.exchange.sympy_models.sympy_script import python_file
-    from hertzwerk.derive.exchange.sympy_models.to_sympy import to_sympy
+    from hertzwerk.derive.exchange.sympy_models.to_sympy import python_file, to_sympy
 
     return python_file(to_sympy(scene), scene.name, values)
 

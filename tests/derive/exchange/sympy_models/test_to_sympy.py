@@ -8,7 +8,7 @@ import sympy as sp
 from derived import Derived
 
 from hertzwerk.derive import EnergyLedger, InputError, Parameter, Scales, Start, from_sympy, to_sympy
-from hertzwerk.derive.exchange.sympy_models.sympy_script import python_file
+from hertzwerk.derive.exchange.sympy_models.to_sympy import python_file
 from hertzwerk.derive.scenes import (
     cam_follower,
     double_pendulum,
