@@ -188,9 +188,9 @@ class Naming:
         if minimal:
             return tuple(of_q), (), ()
         of_u = [_freedom(key, self.table.get(s, TURNING) * SECOND) for s, key in keys.items()]
-        given = [replace(freedom, kind="given", speeds=(), forces=()) for freedom in of_q]
-        given += [replace(freedom, kind="given", coordinates=()) for freedom in of_u]
-        return tuple(given), (*of_q, *of_u), tuple(keys.values())
+        unpaired = [replace(freedom, kind="given", speeds=(), forces=()) for freedom in of_q]
+        unpaired += [replace(freedom, kind="given", coordinates=()) for freedom in of_u]
+        return tuple(unpaired), (*of_q, *of_u), tuple(keys.values())
 
     def _unknown_derivatives(self, known: set[Any]) -> None:
         """Note derivatives that nothing determines."""
