@@ -37,11 +37,12 @@ def pictures_of(page: str) -> list[str]:
     return _PICTURE.findall(page)
 
 
-def build(out: Path, command: Any, *, pictures: bool = True) -> str:
+def build(out: Path, command: Any, *, pictures: bool = True, builder: str = "html") -> str:
     """Build the web pages into a folder; return the warnings of Sphinx, "" for none.
 
     command    the command line, `hertzwerk.runtime.cli.main`, for its pages of reference
     pictures   False: empty ones stand in place of those that code draws
+    builder    of Sphinx; "linkcheck" requests the external links, and warns of those without an answer
     """
     with TemporaryDirectory() as folder:
         stage = Path(folder)
@@ -51,7 +52,7 @@ def build(out: Path, command: Any, *, pictures: bool = True) -> str:
             shutil.copyfile(page, copy)
         write_reference(stage / "reference", command)
         _draw_all(stage, pictures=pictures)
-        return _sphinx(stage, out)
+        return sphinx(stage, out, builder)
 
 
 def _draw_all(stage: Path, *, pictures: bool) -> None:
@@ -77,12 +78,14 @@ def _draw(page: Path, names: list[str]) -> None:
             shutil.copyfile(Path(folder, name), page.parent / name)
 
 
-def _sphinx(stage: Path, out: Path) -> str:
+def sphinx(stage: Path, out: Path, builder: str) -> str:
+    """Build a folder of Markdown files with the settings of the handbook; return the warnings."""
     from sphinx.application import Sphinx
+    from sphinx.util.docutils import docutils_namespace
 
     warnings = io.StringIO()
-    with catch_warnings():
+    with catch_warnings(), docutils_namespace():  # a process may build twice
         simplefilter("ignore")  # deprecations within Sphinx and its extensions; what it finds in pages is in the stream
-        app = Sphinx(stage, SOURCE, out, out / ".doctrees", "html", status=None, warning=warnings)
+        app = Sphinx(stage, SOURCE, out, out / ".doctrees", builder, status=None, warning=warnings)
         app.build()
     return re.sub(r"\x1b\[[\d;]*m", "", warnings.getvalue()).replace(f"{stage}/", "").strip()

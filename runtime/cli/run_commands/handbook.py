@@ -1,10 +1,11 @@
-"""`hertzwerk handbook`: open the handbook, build its web pages, write its lessons as notebooks."""
+"""`hertzwerk handbook`: open the handbook, build its pages, check its links, write its notebooks."""
 
 from __future__ import annotations
 
 import sys
 from hashlib import blake2b
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import click
 
@@ -18,8 +19,9 @@ FOLDER = click.Path(path_type=Path, file_okay=False)
 @click.command(epilog="Example: hertzwerk handbook --build pages")
 @click.option("--build", "pages", type=FOLDER, metavar="DIR", help="Build the web pages into a new folder.")
 @click.option("--notebooks", type=FOLDER, metavar="DIR", help="Write the six lessons as Jupyter notebooks.")
+@click.option("--links", is_flag=True, help="Check the external links of the pages over the network.")
 @reports_bad_input
-def handbook(pages: Path | None, notebooks: Path | None) -> int:
+def handbook(pages: Path | None, notebooks: Path | None, links: bool) -> int:
     """Open the handbook in a browser, or show where its text is.
 
     The text is Markdown and part of the installation. `--build` makes web pages of it, with pictures, in a minute; that
@@ -30,8 +32,8 @@ def handbook(pages: Path | None, notebooks: Path | None) -> int:
     refuse("handbook", [*unwritable_faults(pages, wanted=False), *unwritable_faults(notebooks, wanted=False)])
     if notebooks is not None:
         _write_notebooks(notebooks)
-    if pages is not None:
-        return _build(pages)
+    if pages is not None or links:
+        return max(_build(pages) if pages is not None else GOOD, _check_links() if links else GOOD)
     if notebooks is None:
         built = _built()
         line("pages" if built else "text", str(built or SOURCE / "index.md"))
@@ -59,9 +61,22 @@ def _build(out: Path) -> int:
     index = (folder / files[0]).resolve()
     cache.keep(_key(), ".txt", str(index).encode())
     line("written", str(folder / files[0]))
-    if warnings[0]:
-        line("warning", warnings[0])
-    return OTHER_OUTCOME if warnings[0] else GOOD
+    return _warned(warnings[0])
+
+
+def _check_links() -> int:
+    from hertzwerk.runtime.cli import main
+    from hertzwerk.runtime.handbook.web_pages import build
+
+    with TemporaryDirectory() as folder:
+        return _warned(build(Path(folder), main, pictures=False, builder="linkcheck"))
+
+
+def _warned(warnings: str) -> int:
+    """Print the warnings of Sphinx, if any, and return the exit code."""
+    if warnings:
+        line("warning", warnings)
+    return OTHER_OUTCOME if warnings else GOOD
 
 
 def _built() -> Path | None:

@@ -34,10 +34,12 @@ def test_pages_that_were_built_are_found(call, tmp_path, monkeypatch):
     assert str(web_pages.SOURCE) in call().stdout
 
 
-def test_warnings_of_sphinx_are_shown_and_end_it_with_one(call, tmp_path, monkeypatch):
-    monkeypatch.setattr(web_pages, "build", lambda folder, command: "page.md:1: WARNING: link")
-    done = call("--build", "pages")
+@pytest.mark.parametrize("words", [("--build", "pages"), ("--links",)])
+def test_warnings_of_sphinx_are_shown_and_end_it_with_one(call, monkeypatch, words):
+    monkeypatch.setattr(web_pages, "build", lambda *_, **options: f"page.md:1: WARNING: link {options}")
+    done = call(*words)
     assert (done.exit_code, "page.md:1: WARNING: link" in done.stdout) == (1, True)
+    assert ("linkcheck" in done.stdout) == (words == ("--links",))
 
 
 def test_notebooks_are_written_into_a_new_folder(call, tmp_path):
