@@ -127,6 +127,7 @@ TRIES: dict[str, dict[str, int]] = {
     "clearance_5mm": {"dopri5": 13777, "dop853": 5133, "rodas": 7914, "esdirk": 8527, "auto": 5133},
     "thin_friction_layer": {"dopri5": 3343, "dop853": 5713, "rodas": 49903, "esdirk": 4189, "auto": 5713},
     "worn_through": {"dopri5": 961, "dop853": 397, "rodas": 1171, "esdirk": 685, "auto": 397},
+    "rolls_over_its_worn_track": {"dopri5": 658, "dop853": 365, "rodas": 662, "esdirk": 516, "auto": 365},
     "worn_until_unloaded": {"dopri5": 1591, "dop853": 754, "rodas": 183, "esdirk": 162, "auto": 165},
     "thousand_revolutions": {"dopri5": 885876, "dop853": 471663, "rodas": 1042371, "esdirk": 671134, "auto": 459564},
     "incline_holds_smooth": {"rodas": 72, "esdirk": 73, "auto": 84},

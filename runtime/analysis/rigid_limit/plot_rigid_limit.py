@@ -8,6 +8,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
+from hertzwerk.runtime.analysis.rigid_limit.rigid_run import ROUNDING
 from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, legend
 from hertzwerk.runtime.output.plots.plot_style import CYCLE, GREY, STYLE, VERMILLION, heading, plain
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
@@ -15,29 +16,31 @@ from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from hertzwerk.runtime.analysis.rigid_limit.rigid_limit import RigidLimit
+    from hertzwerk.runtime.analysis.rigid_limit.rigid_limit import RigidLimit, StifferRun
 
 POINTS = 2000  # of a curve
+NEAR = 0.1  # of a pair's largest gap: it is drawn where it gets as near
 
 
 def figure(limit: RigidLimit) -> Figure:
-    """Draw the gap of each pair, the energy and, with stiffer runs, how their impacts converge."""
-    pairs, convergence = limit.model.pairs, any(len(each.apart) > 1 for each in limit.stiffer)
-    panels = len(pairs) + 1 + convergence
+    """Draw the gap of each pair that closes, the energy and, with stiffer runs, how their impacts converge."""
+    times = np.linspace(0, float(limit.t[-1]), POINTS)
+    gaps, curves = limit.gaps(times), _curves(limit)
+    near = gaps.min(axis=0) < NEAR * gaps.max(axis=0)
+    pairs = np.flatnonzero(near if near.any() else ~near).tolist()
+    panels = len(pairs) + 1 + bool(curves)
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM}):
         page = Figure(figsize=(9, 1.0 + 2.1 * panels), layout="constrained")
         axes = page.subplots(panels, 1, squeeze=False)[:, 0]
-        times = np.linspace(0, float(limit.t[-1]), POINTS)
-        time = scale_of("s", times)
-        for j, axis in enumerate(axes[: len(pairs)]):
+        time, energy = scale_of("s", times), scale_of("J", limit.energy)
+        for j, axis in zip(pairs, axes, strict=False):
             _gap(axis, limit, j, times)
             axis.set_xlabel(f"time [{time.unit}]")
-        energy = scale_of("J", limit.energy)
         axes[len(pairs)].plot(time(limit.t), energy(limit.energy), color=VERMILLION)
         axes[len(pairs)].set_title(f"kinetic and potential energy [{energy.unit}]")
         axes[len(pairs)].set_xlabel(f"time [{time.unit}]")
-        if convergence:
-            _convergence(axes[-1], limit)
+        if curves:
+            _convergence(axes[-1], limit, curves)
         heading(page, f"{limit.model.name}: rigid limit")
     return page
 
@@ -61,16 +64,25 @@ def _gap(axis: Axes, limit: RigidLimit, j: int, times: np.ndarray) -> None:
         legend(axis)
 
 
-def _convergence(axis: Axes, limit: RigidLimit) -> None:
-    """Draw the difference of onsets over the factor of the stiffness, of the impacts that all runs have."""
-    common = min(len(each.apart) for each in limit.stiffer if len(each.apart) > 1)
-    factors = [each.factor for each in limit.stiffer if len(each.apart) >= common]
-    for i in range(1, min(common, len(CYCLE) + 1)):
-        apart = [abs(each.apart[i]) for each in limit.stiffer if len(each.apart) >= common]
-        axis.loglog(factors, apart, "o-", color=CYCLE[i - 1], label=f"impact {i + 1}")
+def _curves(limit: RigidLimit) -> dict[int, list[StifferRun]]:
+    """Return by impact the runs that have it at another time than the rigid one, at least two."""
+    least = ROUNDING * limit.t[-1]
+    found = {
+        i: [each for each in limit.stiffer if len(each.apart) > i and abs(each.apart[i]) > least]
+        for i in range(len(limit.impulses))
+    }
+    return {i: runs for i, runs in found.items() if len(runs) > 1}
+
+
+def _convergence(axis: Axes, limit: RigidLimit, curves: dict[int, list[StifferRun]]) -> None:
+    """Draw the difference of onsets over the factor of the stiffness, of the first impacts."""
+    for colour, (i, runs) in zip(CYCLE, curves.items(), strict=False):
+        apart = [abs(each.apart[i]) for each in runs]
+        axis.loglog([each.factor for each in runs], apart, "o-", color=colour, label=f"impact {i + 1}")
     axis.set_title("onset of impacts less that of the rigid ones [s]")
     axis.set_xlabel(f"{limit.stiffness}, times its value")
     legend(axis)
+    factors = [each.factor for each in limit.stiffer]
     axis.set_xticks(factors, [f"{factor:g}" for factor in factors], minor=False)
     axis.tick_params(axis="x", which="minor", labelbottom=False)
     axis.margins(y=0.15)

@@ -15,7 +15,14 @@ from hertzwerk.derive.common.faults import Fault, among, shown, unknown
 from hertzwerk.derive.common.markup import heading, joined, table, tag
 from hertzwerk.runtime.analysis.rigid_limit.rigid_equations import Equations, distance_of, refused, tangent_faults
 from hertzwerk.runtime.analysis.rigid_limit.rigid_impact import RigidImpact, read_impacts
-from hertzwerk.runtime.analysis.rigid_limit.rigid_run import LEAST_STEPS, Accumulation, Motion, RigidImpulse, RigidRun
+from hertzwerk.runtime.analysis.rigid_limit.rigid_run import (
+    LEAST_STEPS,
+    ROUNDING,
+    Accumulation,
+    Motion,
+    RigidImpulse,
+    RigidRun,
+)
 from hertzwerk.runtime.engine.model.binding import Value, times_within
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.run_request import Settings, is_real, progress_faults, read
@@ -32,7 +39,6 @@ if TYPE_CHECKING:
 TOGETHER, IN_TURN = "together", "in turn"
 SHOWN = 8  # impacts of a table
 TIGHTEST = 1e-13  # tolerance of a run that others are compared with
-ROUNDING = 1e-9  # of the duration: a smaller difference of onsets shows no order
 
 
 @dataclass(frozen=True)
@@ -319,9 +325,12 @@ def rigid_limit(
 
 
 def _apart(motion: Motion, impacts: Sequence[Any]) -> Array:
-    """Return the differences [s] of other impacts from the rigid ones, as long as the same pairs collide."""
+    """Return the differences [s] of other impacts from the rigid ones, as long as the same pairs collide.
+
+    Contacts that are closed at the start count as impacts without an approach in compliant runs, and are none here.
+    """
     apart = []
-    for impact, impulse in zip(impacts, motion.impulses, strict=False):
+    for impact, impulse in zip((one for one in impacts if one.speed > 0), motion.impulses, strict=False):
         if impact.contact != impulse.contact:
             break
         apart.append(impact.t - impulse.t)

@@ -29,6 +29,7 @@ WEAK = 1e-6  # of the scene's force: below, a largest force does not count
 ACCUMULATED = 1e-9  # of the duration: sequences of impacts that end within it end at once
 FLAT = 1e-11  # of the scene's length: a hop no higher is lost in the rounding of positions
 MOST_IMPACTS = 100_000
+ROUNDING = 1e-9  # of the duration: a smaller difference of onsets shows no order
 OPEN, SLIDES, STICKS = "open", "slides", "sticks"
 
 

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 SMOOTH, ROUGH = Source("slider_crank_frictionless"), Source("slider_crank")
 WORN, PRESSED = 9.853558871621333878e-4, 0.2440277658189568107  # m, N
 LINEAR = "matrix exponential of pad, spring, stiffness and wear, by mpmath at 40 digits"
+SLIPPED = "of a ball that slips by V = 2.4 m/s until it rolls on a plane; slopes of the groove add a thousandth"
 QUAD = "quadruple precision, tests/reference/programs/slider_crank_quad.cpp"
 
 
@@ -113,6 +114,18 @@ CASES = (
         known=(
             final("wear.depth", WORN, 1e-10, LINEAR),
             final("floor.normal_force", PRESSED, 1e-3, LINEAR),
+        ),
+    ),
+    HardCase(
+        name="rolls_over_its_worn_track",
+        theme="wear",
+        hard="a ball just in touch slips along, turns back in the groove that it wears, and rolls over its slopes",
+        source=Source("worn_rolling", hard=True),
+        duration=0.5,
+        tolerance=1e-8,
+        known=(
+            final("wear.load_path", 2.4**2 / 2.8, 4e-3, f"m V^2/(7 mu) {SLIPPED}"),
+            final("way.x_speed", 0.4 - 2 * 2.4 / 7, 2e-3, f"v - 2 V/7 {SLIPPED}"),
         ),
     ),
     HardCase(
