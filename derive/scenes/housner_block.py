@@ -1,6 +1,7 @@
-"""A slender block let go from a tilt, which rocks from corner to corner: Housner's block, whose natural description is the rigid limit.
+"""Housner's block, let go from a tilt, which rocks from corner to corner.
 
-Data of our choice. The corners hardly rebound: restitution 0.001 by the exact factor of Hunt and Crossley's damping.
+Its natural description is the rigid limit. Data of our choice.
+The corners hardly rebound: restitution 0.001 by the exact factor of Hunt and Crossley's damping.
 """
 
 import sympy as sp

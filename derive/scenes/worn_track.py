@@ -1,4 +1,4 @@
-"""A steel ball that slides to and fro on a plate of polymer, whose track it wears: a reciprocating wear test.
+"""A steel ball that slides to and fro on a plate of polymer and wears its track: a wear test.
 
 Ball, load and stroke as of procedure A of ASTM G133, from general knowledge (C). The plate's elasticity and specific wear rate,
 those of a soft filled polymer, are our choice. Wear spreads along the track as Hertz's pressure does for 32 sectors.

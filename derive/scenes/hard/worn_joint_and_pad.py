@@ -1,4 +1,4 @@
-"""Hard scenes of wear: a joint that loses a fifth of its clearance, a pad worn until it is free, a ball on its own track.
+"""Hard scenes of wear: a joint that loses clearance, a pad worn until it is free, a ball on its track.
 
 Derived when run, never committed.
 """
@@ -66,7 +66,7 @@ def worn_pad() -> Scene:
 
 
 def worn_rolling() -> Scene:
-    """A ball thrown with backspin, which slips along, comes back over its own track, and rolls in the end; it starts just in touch."""
+    """A ball thrown with backspin, just in touch, which slips, comes back over its track, and rolls."""
     R, g = Parameter("radius", "mm", 20), Parameter("gravity", "m/s^2", 9.81)
     mass, mu = Parameter("mass", "kg", 0.5), Parameter("friction", "1", 0.2)
     ball = Body("ball", mass, inertia=2 * mass * R**2 / 5)

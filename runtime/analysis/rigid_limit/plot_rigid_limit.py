@@ -23,7 +23,7 @@ NEAR = 0.1  # of a pair's largest gap: it is drawn where it gets as near
 
 
 def figure(limit: RigidLimit) -> Figure:
-    """Draw the gap of each pair that closes, the energy and, with stiffer runs, how their impacts converge."""
+    """Draw the gaps of pairs that close, the energy and, with stiffer runs, how impacts converge."""
     times = np.linspace(0, float(limit.t[-1]), POINTS)
     gaps, curves = limit.gaps(times), _curves(limit)
     near = gaps.min(axis=0) < NEAR * gaps.max(axis=0)
@@ -66,12 +66,12 @@ def _gap(axis: Axes, limit: RigidLimit, j: int, times: np.ndarray) -> None:
 
 def _curves(limit: RigidLimit) -> dict[int, list[StifferRun]]:
     """Return by impact the runs that have it at another time than the rigid one, at least two."""
-    least = ROUNDING * limit.t[-1]
-    found = {
-        i: [each for each in limit.stiffer if len(each.apart) > i and abs(each.apart[i]) > least]
-        for i in range(len(limit.impulses))
-    }
-    return {i: runs for i, runs in found.items() if len(runs) > 1}
+    least, curves = ROUNDING * limit.t[-1], {}
+    for i in range(len(limit.impulses)):
+        runs = [each for each in limit.stiffer if len(each.apart) > i and abs(each.apart[i]) > least]
+        if len(runs) > 1:
+            curves[i] = runs
+    return curves
 
 
 def _convergence(axis: Axes, limit: RigidLimit, curves: dict[int, list[StifferRun]]) -> None:
