@@ -5,9 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
-
-from hertzwerk.runtime.cli import main
+from commands import called
 
 ROOT = Path(__file__).parents[3]
 LAWS = """# pads
@@ -50,14 +48,12 @@ def project(tmp_path, monkeypatch):
     return tmp_path
 
 
-def audit(*words):
-    done = CliRunner().invoke(main, ["audit", *words])
-    return done.exit_code, done.output
+def audit(*words, code=0):
+    return called("audit", *words, code=code).output
 
 
 def test_github_shows_each_finding_at_its_line(project):
-    code, text = audit("my laws", "--format", "github")
-    assert code == 1
+    text = audit("my laws", "--format", "github", code=1)
     actual = [
         re.fullmatch(r"::error file=([^,]*),line=(\d+),title=([^:]*)::(.*)", line).groups()
         for line in text.splitlines()
@@ -66,14 +62,13 @@ def test_github_shows_each_finding_at_its_line(project):
     assert {each[:2] for each in actual} == {("my laws/pads.toml", "18"), ("my laws/pad.py", "4")}
     assert all("expected N" in each[3] or "expected J" in each[3] for each in actual)
     (project / "my laws" / "pads.toml").write_text(LAWS.replace("d**2", "d**1.5"))
-    assert audit("my laws/pads.toml", "--format", "github") == (0, "\n")
+    assert audit("my laws/pads.toml", "--format", "github") == "\n"
 
 
 def test_files_that_cannot_be_audited_are_annotated_too(project):
     (project / "broken.py").write_text(BROKEN)
     (project / "my laws" / "pads.toml").write_text(LAWS.replace('"N/m^1.5"', '"N/m^"'))
-    code, text = audit(".", "--format", "github")
-    assert code == 2
+    text = audit(".", "--format", "github", code=2)
     assert re.search(r"::error file=broken.py,line=3,title=.*::found NameError: name 'mistake' is not defined", text)
     assert re.search(r"::error file=my laws/pads.toml,line=\d+,title=.*foam", text)
 
@@ -88,9 +83,7 @@ REQUIRED = {  # what section 3 of SARIF 2.1.0 requires of the objects that are u
 
 
 def test_sarif_has_what_the_standard_requires(project):
-    code, text = audit("my laws", "--format", "sarif")
-    assert code == 1
-    log = json.loads(text)
+    log = json.loads(audit("my laws", "--format", "sarif", code=1))
     assert REQUIRED["log"] <= log.keys()
     assert log["version"] == "2.1.0"
     (run,) = log["runs"]
@@ -104,19 +97,15 @@ def test_sarif_has_what_the_standard_requires(project):
         assert result["level"] in ("none", "note", "warning", "error")
         assert result["message"]["text"]
         (place,) = (each["physicalLocation"] for each in result["locations"])
-        assert place["artifactLocation"]["uri"] in (
-            "my%20laws/pads.toml",
-            "my%20laws/pad.py",
-        )  # a URI reference, RFC 3986
+        uri = place["artifactLocation"]["uri"]  # a URI reference, RFC 3986
+        assert uri in ("my%20laws/pads.toml", "my%20laws/pad.py")
         assert place["region"]["startLine"] >= 1
-    assert json.loads(audit("my laws/pads.toml", "--format", "sarif")[1])["runs"][0]["results"]
+    assert json.loads(audit("my laws/pads.toml", "--format", "sarif", code=1))["runs"][0]["results"]
 
 
 @pytest.mark.parametrize("words", [("--laws",), ("--expr", "K*d"), ("my laws", "--json")])
 def test_a_format_is_of_files_alone(project, words):
-    code, text = audit(*words, "--format", "sarif")
-    assert code == 2
-    assert "--format with --json, or without files" in text
+    assert "--format with --json, or without files" in audit(*words, "--format", "sarif", code=2)
 
 
 SCENE = """from hertzwerk.derive import GROUND, X, Body, JointSpring, Mechanism, Parameter, Prismatic, Scales, Scene
@@ -142,12 +131,12 @@ def test_the_recipe_for_a_project_of_ones_own(project):
     )
     names = {}
     exec(recipe.split("```python\n")[1].split("```")[0], names)
-    assert [CliRunner().invoke(main, check[:-1]).exit_code, CliRunner().invoke(main, check).exit_code] == [0, 0]
-    assert CliRunner().invoke(main, review).output == "\n"
+    called(*check[:-1]), called(*check)
+    assert called(*review).output == "\n"
     names["test_units_agree"]()
     (project / "scenes" / "pads.toml").write_text(LAWS)
     (project / "scenes" / "swing.py").write_text(SCENE.replace("10)", "20)"))
-    assert [CliRunner().invoke(main, each).exit_code for each in (check, review)] == [1, 1]
+    called(*check, code=1), called(*review, code=1)
     with pytest.raises(AssertionError):
         names["test_units_agree"]()
 
@@ -158,6 +147,6 @@ def test_hooks_do_what_they_say(project):
     entries = dict(re.findall(r"- id: (\S+)\n(?:  .*\n)*?  entry: (.*)\n", text))
     assert set(entries) == {"hertzwerk-audit", "hertzwerk-modules"}
     for entry in entries.values():
-        assert CliRunner().invoke(main, [*entry.split()[1:], "--help"]).exit_code == 0
+        called(*entry.split()[1:], "--help")
     files = sorted(map(str, Path().rglob("*.*")))
-    assert CliRunner().invoke(main, [*entries["hertzwerk-audit"].split()[1:], *files]).exit_code == 1
+    called(*entries["hertzwerk-audit"].split()[1:], *files, code=1)

@@ -5,10 +5,9 @@ import sqlite3
 from contextlib import closing
 
 import pytest
-from click.testing import CliRunner
+from commands import called
 from pages import Outline
 
-from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.system.digests import sealed
 
 FILE = """
@@ -30,10 +29,6 @@ gravity = "1..12 m/s^2"
 """
 
 
-def run(*arguments):
-    return CliRunner().invoke(main, arguments, catch_exceptions=False)
-
-
 @pytest.fixture
 def file(tmp_path):
     def write(text):
@@ -47,11 +42,12 @@ def test_propagate_by_options_and_by_file(file, tmp_path):
     options = ("--uncertain", "gravity=Normal(9.81 m/s^2, 0.2 m/s^2)", "--output", "final.vertical.speed", "--sample", "8",
                "--duration", "0.4 s", "--tolerance", "1e-8")  # fmt: skip
     kept = tmp_path / "kept"
-    reported = run("propagate", "bouncing_ball", *options, "--table", str(tmp_path / "found.csv"), "--out", str(kept))
-    assert reported.exit_code == 0
+    reported = called(
+        "propagate", "bouncing_ball", *options, "--table", str(tmp_path / "found.csv"), "--out", str(kept)
+    )
     assert "standard deviation by derivatives 0.08 m/s" in reported.output
     assert (tmp_path / "found.csv").exists()
-    assert run("report", str(kept)).exit_code == 0
+    called("report", str(kept))
     outline = Outline((kept / "report.html").read_text("utf-8"))
     (head, spread) = outline.tables["Spread"][0]
     assert spread[0] == "final.vertical.speed" and float(spread[head.index("std by derivatives")]) == pytest.approx(
@@ -61,12 +57,12 @@ def test_propagate_by_options_and_by_file(file, tmp_path):
     with closing(sqlite3.connect(kept / "rows.sqlite")) as rows, rows:  # a digit of one number
         here = "key = (SELECT key FROM points WHERE number = 2)"
         rows.execute(f"UPDATE rows SET outputs = replace(outputs, '9', '8') WHERE {here}")
-    reported = run("propagate", "bouncing_ball", *options, "--out", str(kept))
+    reported = called("propagate", "bouncing_ball", *options, "--out", str(kept))
     assert "rows of it are whole; row 2 damaged" in " ".join(reported.output.split())
     assert "row 2 damaged" in json.loads((kept / "propagation.json").read_text())["damage"]
-    assert "damage" not in run("propagate", "bouncing_ball", *options, "--out", str(kept)).output
+    assert "damage" not in called("propagate", "bouncing_ball", *options, "--out", str(kept)).output
     one, other = (
-        json.loads(run("propagate", *of, "--json").output) for of in (("bouncing_ball", *options), (file(FILE),))
+        json.loads(called("propagate", *of, "--json").output) for of in (("bouncing_ball", *options), (file(FILE),))
     )
     assert one == other
     assert one["outputs"]["final.vertical.speed"]["linear"] == pytest.approx(0.08, rel=1e-6)
@@ -76,27 +72,26 @@ def test_minimise_by_options_and_by_file(file, tmp_path):
     options = ("--objective", "(final.vertical.travel - 0.8*drop_height)**2", "--over", "gravity=1..12 m/s^2",
                "--duration", "0.4 s", "--tolerance", "1e-8")  # fmt: skip
     one, other = (
-        json.loads(run("minimise", *of, "--json").output) for of in (("bouncing_ball", *options), (file(MINIMUM),))
+        json.loads(called("minimise", *of, "--json").output) for of in (("bouncing_ball", *options), (file(MINIMUM),))
     )
     assert one == other
     assert one["outcome"] == "finished"
-    bounded = run("minimise", "bouncing_ball", *options, "--constraint", "gravity >= 20 m/s^2")
-    assert bounded.exit_code == 1
+    bounded = called("minimise", "bouncing_ball", *options, "--constraint", "gravity >= 20 m/s^2", code=1)
     assert "infeasible" in bounded.output
     kept = tmp_path / "kept"
     lightly = (*options, "--constraint", "gravity >= 0.5 m/s^2")
-    assert run("minimise", "bouncing_ball", *lightly, "--out", str(kept)).exit_code == 0
-    assert run("minimise", "bouncing_ball", *options, "--out", str(kept)).exit_code == 2
-    assert run("report", str(kept)).exit_code == 0
+    called("minimise", "bouncing_ball", *lightly, "--out", str(kept))
+    called("minimise", "bouncing_ball", *options, "--out", str(kept), code=2)
+    called("report", str(kept))
     outline = Outline((kept / "report.html").read_text("utf-8"))
     assert outline.tables["Values"][0][1][0] == "gravity"
     assert outline.tables["Constraints"][0][1][-1] == "is kept"
     assert len(outline.tables["Runs"][0]) == 1 + len(json.loads((kept / "minimum.json").read_text())["trials"])
     record = (kept / "minimum.json").read_text()
     (kept / "minimum.json").write_text(record.replace("1", "3", 1))
-    assert "digest does not fit" in " ".join(run("report", str(kept), "--overwrite").output.split())
+    assert "digest does not fit" in " ".join(called("report", str(kept), "--overwrite", code=2).output.split())
     (kept / "minimum.json").write_text(json.dumps(sealed({})))
-    assert "a record that `hertzwerk minimise` wrote" in run("report", str(kept), "--overwrite").output
+    assert "a record that `hertzwerk minimise` wrote" in called("report", str(kept), "--overwrite", code=2).output
 
 
 @pytest.mark.parametrize(
@@ -112,13 +107,11 @@ def test_minimise_by_options_and_by_file(file, tmp_path):
     ],
 )
 def test_bad_options_are_reported_at_once(arguments, places):
-    reported = run(*arguments, "--duration", "0.1 s")
-    assert reported.exit_code == 2
+    reported = called(*arguments, "--duration", "0.1 s", code=2)
     assert all(place in reported.output for place in places)
 
 
 def test_bad_files_are_reported_at_once(file):
-    reported = run("propagate", file("target = 3\nsampel = 8\n"))
-    assert reported.exit_code == 2
+    reported = called("propagate", file("target = 3\nsampel = 8\n"), code=2)
     assert all(place in reported.output for place in ("sampel", "sample", "uncertain", "duration", "target"))
-    assert run("propagate", file(FILE), "--sample", "8").exit_code == 2
+    called("propagate", file(FILE), "--sample", "8", code=2)

@@ -97,10 +97,12 @@ def test_commands_fit_80_columns(command):
     assert max(map(len, lines)) <= 80
 
 
-def test_the_list_has_one_line_a_scene():
+def test_the_list_has_one_line_a_scene_and_colours_are_for_terminals_that_want_them():
     lines = on_terminal("list").splitlines()
     assert [line.split()[0] for line in lines] == ["scene", *NAMES]
     assert max(map(len, lines)) <= 80
+    assert "\x1b[32mconsistent\x1b[0m" in on_terminal("laws")
+    assert "\x1b" not in on_terminal("laws", NO_COLOR="1")
 
 
 def test_a_line_with_a_long_label_fits_a_terminal_too(monkeypatch, capsys):
@@ -110,11 +112,6 @@ def test_a_line_with_a_long_label_fits_a_terminal_too(monkeypatch, capsys):
     lines = capsys.readouterr().out.split("\n")
     assert max(map(len, lines)) <= 80
     assert " ".join(lines).split() == ["accuracy_unreachable", *text.split(), "output", "clearance:", *text.split()]
-
-
-def test_colours_are_for_terminals_that_want_them():
-    assert "\x1b[32mconsistent\x1b[0m" in on_terminal("laws")
-    assert "\x1b" not in on_terminal("laws", NO_COLOR="1")
 
 
 def test_long_work_is_shown_from_its_beginning_with_the_share_done_and_the_time_left(monkeypatch):

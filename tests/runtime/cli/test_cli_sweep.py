@@ -11,11 +11,10 @@ from pathlib import Path
 
 import pytest
 import xarray as xr
-from click.testing import CliRunner
+from commands import called
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Sweep, sweep
-from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.build import located_laws
 from hertzwerk.runtime.studies.sweeps.sweep_file import SweepFile, read_sweep
 
@@ -39,24 +38,18 @@ floor = "flores"
 """
 
 
-@pytest.fixture(autouse=True)
-def _elsewhere(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-
-
-def run(*arguments):
-    return CliRunner().invoke(main, ["sweep", *map(str, arguments)])
+COMMAND = ("sweep",)
 
 
 @pytest.mark.slow
-def test_options_a_file_and_python_make_the_same_table(tmp_path):
+def test_options_a_file_and_python_make_the_same_table(hertzwerk, tmp_path):
     (tmp_path / "study.toml").write_text(FILE)
-    done = run("bouncing_ball", *OPTIONS)
-    assert (done.exit_code, done.stderr) == (0, "")
+    done = hertzwerk("bouncing_ball", *OPTIONS)
+    assert done.stderr == ""
     assert "finished      6 rows" in done.stdout
     first = tmp_path / "runs" / "bouncing_ball-sweep-001"
     assert str(first.relative_to(tmp_path)) in done.stdout
-    assert run("study.toml", "--out", "filed", "--workers", "1").exit_code == 0
+    hertzwerk("study.toml", "--out", "filed", "--workers", "1")
     table = (first / "table.csv").read_bytes()
     assert (tmp_path / "filed" / "table.csv").read_bytes() == table
     over = {"drop_height": ["0.5 m", "0.75 m", "1 m"], "restitution": (0.5, 0.7)}
@@ -71,9 +64,8 @@ def test_options_a_file_and_python_make_the_same_table(tmp_path):
     assert python.to_csv(tmp_path / "python.csv").read_bytes() == table
 
 
-def test_json_is_one_object_and_writes_no_file(tmp_path):
-    done = run("bouncing_ball", *OPTIONS, "--json")
-    assert done.exit_code == 0
+def test_json_is_one_object_and_writes_no_file(hertzwerk, tmp_path):
+    done = hertzwerk("bouncing_ball", *OPTIONS, "--json")
     record = json.loads(done.stdout)
     assert (record["rows"], record["outcomes"], record["out"]) == (6, {"finished": 6}, None)
     assert record["units"]["floor.impact_rate.half_width"] == "1/s"
@@ -82,10 +74,10 @@ def test_json_is_one_object_and_writes_no_file(tmp_path):
 
 
 @pytest.mark.parametrize("ending", ["csv", "parquet", "nc"])
-def test_a_table_is_written_by_the_ending_of_its_file(tmp_path, ending):
-    assert run("bouncing_ball", *OPTIONS, "--out", "a", "--workers", 1).exit_code == 0
-    done = run("--resume", "a", "--table", f"new/t.{ending}")
-    assert (done.exit_code, done.stderr) == (0, "")
+def test_a_table_is_written_by_the_ending_of_its_file(hertzwerk, tmp_path, ending):
+    hertzwerk("bouncing_ball", *OPTIONS, "--out", "a", "--workers", 1)
+    done = hertzwerk("--resume", "a", "--table", f"new/t.{ending}")
+    assert done.stderr == ""
     assert f"written       new/t.{ending}" in done.stdout
     python = Sweep.load("a").to_file(tmp_path / f"python.{ending}")
     if ending == "nc":
@@ -95,33 +87,33 @@ def test_a_table_is_written_by_the_ending_of_its_file(tmp_path, ending):
         assert (tmp_path / "new" / f"t.{ending}").read_bytes() == python.read_bytes()
 
 
-def test_a_table_that_cannot_be_written_is_reported_before_a_row_is_computed(tmp_path, monkeypatch):
+def test_a_table_that_cannot_be_written_is_reported_before_a_row_is_computed(hertzwerk, tmp_path, monkeypatch):
     (tmp_path / "t.nc").touch()
     monkeypatch.setitem(sys.modules, "xarray", None)
-    done = run("bouncing_ball", *OPTIONS, "--table", "t.nc", "--workers", "few")
-    assert done.exit_code == 2
+    done = hertzwerk("bouncing_ball", *OPTIONS, "--table", "t.nc", "--workers", "few", code=2)
     assert all(text in done.stderr for text in ("t.nc, which exists", "pip install 'hertzwerk[data]'", "--workers"))
     assert [path.name for path in tmp_path.iterdir()] == ["t.nc"]
 
 
-def test_a_table_that_fails_later_is_reported_and_the_rest_is_there(tmp_path, monkeypatch):
+def test_a_table_that_fails_later_is_reported_and_the_rest_is_there(hertzwerk, tmp_path, monkeypatch):
     monkeypatch.setattr(Sweep, "to_file", lambda *_: (_ for _ in ()).throw(OSError("disk full")))
-    done = run("bouncing_ball", *OPTIONS, "--table", "t.nc", "--out", "a", "--workers", 1)
-    assert (done.exit_code, "disk full" in done.stderr) == (1, True)
+    done = hertzwerk("bouncing_ball", *OPTIONS, "--table", "t.nc", "--out", "a", "--workers", 1, code=1)
+    assert "disk full" in done.stderr
     assert "written       t.nc" not in done.stdout
     assert len(Sweep.load("a")) == 6
 
 
-def test_rows_that_fail_are_reported_and_are_another_outcome():
-    done = run("bouncing_ball", "--over", "mass=-1,1 kg", "--duration", "0.1 s", "--tolerance", "1e-5", "--out", "a")
-    assert done.exit_code == 1
+def test_rows_that_fail_are_reported_and_are_another_outcome(hertzwerk):
+    done = hertzwerk(
+        "bouncing_ball", "--over", "mass=-1,1 kg", "--duration", "0.1 s", "--tolerance", "1e-5", "--out", "a", code=1
+    )
     assert re.search(r"bad_input +1 row: mass: found -1 kg", done.stdout)
 
 
-def test_a_section_on_the_command_line_is_that_of_python(tmp_path):
+def test_a_section_on_the_command_line_is_that_of_python(hertzwerk, tmp_path):
     places = ("--section", "floor.gap = 0 falling", "--after", "0.4 s", "--grid", "5", "--history", "vertical.speed")
     arguments = ("bouncing_ball", "--over", "drop_height=0.5,1 m", "--duration", "1 s", "--tolerance", "1e-6", *places)
-    assert run(*arguments, "--out", "a", "--plot").exit_code == 0
+    hertzwerk(*arguments, "--out", "a", "--plot")
     assert (tmp_path / "a" / "sweep.png").read_bytes().startswith(b"\x89PNG")
     table = sweep(
         *("bouncing_ball", {"drop_height": "0.5,1 m"}), section="floor.gap = 0 falling", after="0.4 s", grid=5,
@@ -129,61 +121,55 @@ def test_a_section_on_the_command_line_is_that_of_python(tmp_path):
     )  # fmt: skip
     for arrays in (table.section, table.histories):
         assert (tmp_path / "a" / f"{arrays.name}.csv").read_bytes() == arrays.to_csv(arrays.name).read_bytes()
-    reported = json.loads(run(*arguments, "--json").stdout)["arrays"]
+    reported = json.loads(hertzwerk(*arguments, "--json").stdout)["arrays"]
     assert reported == {"section": table.section.record(), "histories": table.histories.record()}
-    assert run("--resume", "a").exit_code == 0
-    written = run("--resume", "a", "--table", "t.csv").stdout
+    hertzwerk("--resume", "a")
+    written = hertzwerk("--resume", "a", "--table", "t.csv").stdout
     assert "section and histories, as CSV has no lists: --table FILE.parquet" in " ".join(written.split())
 
 
-def test_values_are_followed_on_the_command_line_as_in_python(tmp_path):
+def test_values_are_followed_on_the_command_line_as_in_python(hertzwerk, tmp_path):
     how = ("bouncing_ball", "--over", "restitution=0.5..0.9:3", "--duration", "0.6 s", "--tolerance", "1e-5")
     for way in ("up", "down"):
-        done = run(*how, "--continue", way, "--out", way)
-        assert done.exit_code == 0, done.output
+        hertzwerk(*how, "--continue", way, "--out", way)
         over = {"restitution": "0.5..0.9:3"}
         expected = sweep("bouncing_ball", over, duration="0.6 s", tolerance=1e-5, continued=way)
         actual = Sweep.load(way)
         assert list(actual["final.vertical.travel"]) == list(expected["final.vertical.travel"])
     assert actual["final.vertical.travel"][1] != Sweep.load("up")["final.vertical.travel"][1]
-    assert "continued: found 'up'" in run(*how, "--continue", "up", "--out", "down").stderr
-    assert "up" in run(*how, "--continue", "sideways", "--out", "c").stderr
+    assert "continued: found 'up'" in hertzwerk(*how, "--continue", "up", "--out", "down", code=2).stderr
+    assert "up" in hertzwerk(*how, "--continue", "sideways", "--out", "c", code=2).stderr
 
 
-def test_a_folder_goes_on_with_its_own_definition_and_with_no_other(tmp_path):
-    assert run("bouncing_ball", *OPTIONS, "--out", "a").exit_code == 0
+def test_a_folder_goes_on_with_its_own_definition_and_with_no_other(hertzwerk, tmp_path):
+    hertzwerk("bouncing_ball", *OPTIONS, "--out", "a")
     table = (tmp_path / "a" / "table.csv").read_bytes()
-    assert run("--resume", "a").exit_code == 0
+    hertzwerk("--resume", "a")
     assert (tmp_path / "a" / "table.csv").read_bytes() == table
     wider = [option.replace("1 m:3", "1 m:5") for option in OPTIONS]
-    refused = run("bouncing_ball", *wider, "--out", "a")
-    assert refused.exit_code == 2
+    refused = hertzwerk("bouncing_ball", *wider, "--out", "a", code=2)
     assert "over.drop_height: found '0.5..1 m:5'" in refused.stderr
-    assert run("bouncing_ball", *wider, "--out", "a", "--widen").exit_code == 0
+    hertzwerk("bouncing_ball", *wider, "--out", "a", "--widen")
     assert len(Sweep.load("a")) == 10
 
 
-def test_laws_of_a_file_are_found_from_another_folder_and_a_changed_file_is_refused(tmp_path, monkeypatch):
+def test_laws_of_a_file_are_found_from_another_folder_and_a_changed_file_is_refused(hertzwerk, tmp_path, monkeypatch):
     foam = '[[law]]\nname = "foam"\nkind = "stiffness"\ntitle = "Foam"\nsource = "measured"\nform = "any"\nforce = "K*d**1.5"\n'
     (tmp_path / "foam.toml").write_text(foam + 'symbols.K = { unit = "N/m^1.5" }\n')
     by_law = ("--law", "floor=foam.toml:foam(K=2e8 N/m^1.5)", "--duration", "0.1 s")
-    made = run("bouncing_ball", "--over", "mass=1 kg", *by_law, "--tolerance", "1e-4", "--out", "a", "--workers", "1")
-    assert made.exit_code == 0, made.output
+    hertzwerk("bouncing_ball", "--over", "mass=1 kg", *by_law, "--tolerance", "1e-4", "--out", "a", "--workers", "1")
     (tmp_path / "a.toml").write_text(
         'target = "bouncing_ball"\nduration = 0.1\nlaws = {floor = "foam.toml"}\nover = {mass = "1 kg"}\n'
     )
-    called = CliRunner().invoke(main, ["run", "bouncing_ball", *by_law, "--out", "b", "--no-plots"])
-    assert called.exit_code == 0, called.output
+    called("run", "bouncing_ball", *by_law, "--out", "b", "--no-plots")
     (tmp_path / "elsewhere").mkdir()
     monkeypatch.chdir(tmp_path / "elsewhere")
     assert read_sweep(tmp_path / "a.toml")["laws"] == {"floor": str(tmp_path / "foam.toml")}
-    resumed = run("--resume", "../a")
-    assert resumed.exit_code == 0, resumed.output
-    on = ["run", "--continue", "../b", "--duration", "0.12 s", "--no-plots", "--out"]
-    assert CliRunner().invoke(main, [*on, "c"]).exit_code == 0
+    hertzwerk("--resume", "../a")
+    called("run", "--continue", "../b", "--duration", "0.12 s", "--no-plots", "--out", "c")
     (tmp_path / "foam.toml").write_text((tmp_path / "foam.toml").read_text() + 'note = "twice as stiff"\n')
-    refused = run("--resume", "../a")
-    assert refused.exit_code == 2 and "law_files." in refused.stderr and "foam.toml" in refused.stderr
+    refused = hertzwerk("--resume", "../a", code=2)
+    assert "law_files." in refused.stderr and "foam.toml" in refused.stderr
 
 
 @pytest.mark.parametrize(
@@ -215,15 +201,14 @@ def test_files_of_laws_are_seen_from_a_folder(text, there):
         ),
     ],
 )
-def test_bad_input_is_reported_at_once_and_nothing_is_written(tmp_path, arguments, message):
-    done = run(*arguments)
-    assert done.exit_code == 2
+def test_bad_input_is_reported_at_once_and_nothing_is_written(hertzwerk, tmp_path, arguments, message):
+    done = hertzwerk(*arguments, code=2)
     for each in message:
         assert each in re.sub(r"\s+", " ", done.stderr)
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_file_with_faults_is_refused_with_all_of_them(tmp_path):
+def test_faults_of_form_and_of_meaning_of_a_file_come_at_once(tmp_path):
     file = tmp_path / "study.toml"
     file.write_text('targt = "x"\nduration = true\noutputs = "a"\nsample = "3"\nover = {mass = true}\n')
     with pytest.raises(InputError) as caught:
@@ -232,10 +217,6 @@ def test_a_file_with_faults_is_refused_with_all_of_them(tmp_path):
         "targt", "target", "duration", "outputs", "sample", "over.mass",
     }  # fmt: skip
     assert "did you mean target?" in str(caught.value)
-
-
-def test_faults_of_form_and_of_meaning_come_at_once(tmp_path):
-    file = tmp_path / "study.toml"
     file.write_text(
         'target = "bouncing_ball"\ntolerance = 7.0\noutputs = ["floor.peak"]\nsample = "3"\n'
         'over = {mass = true, drop_hight = "1..2 m:3"}\nparameters = {radios = "1 m"}\n'

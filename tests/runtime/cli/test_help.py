@@ -24,16 +24,12 @@ def command_of(name):
     return main.get_command(click.Context(main), name)
 
 
-def test_no_summary_is_cut_off():
+def test_no_summary_is_cut_off_and_the_commands_to_begin_with_can_be_typed():
     lines = CliRunner().invoke(main, [], terminal_width=80).output.splitlines()
     assert max(map(len, lines)) <= 80
     described = dict(match.groups() for line in lines if (match := re.fullmatch(r"  (\w+) +([A-Z].*\.)", line)))
     assert described == {name: command_of(name).get_short_help_str(200) for name in FILES}
     assert not any(text.endswith("...") for text in described.values())
-
-
-def test_the_commands_to_begin_with_can_be_typed_and_each_is_one_line():
-    lines = CliRunner().invoke(main, [], terminal_width=80).output.splitlines()
     for command, meaning in FIRST.items():
         assert any(re.fullmatch(f"  {re.escape(command)} +{re.escape(meaning)}", line) for line in lines)
         name, *words = command.split()[1:]

@@ -18,6 +18,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from commands import called
 
 from hertzwerk.runtime import Solution
 from hertzwerk.runtime.cli import main, run_folder
@@ -233,10 +234,9 @@ def test_a_disk_too_full_for_the_states_still_gets_what_is_known_of_the_run(run,
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (40_000, before[1]))
     try:
-        done = CliRunner().invoke(main, ["run", "two_spheres"], catch_exceptions=False)
+        done = called("run", "two_spheres", code=1)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
-    assert done.exit_code == 1
     (folder,) = Path("runs").iterdir()
     assert {path.name for path in folder.iterdir()} <= {"run.json", "states.csv", "mechanism.png"}
     record = json.loads((folder / "run.json").read_text())
@@ -254,8 +254,7 @@ def test_a_large_csv_is_written_on_request_only(run, monkeypatch):
     for way in ("--table", "--grid", "to_file"):
         assert way in said
         assert any(way in text for text in reported["warnings"])
-    done = CliRunner().invoke(main, ["run", "two_spheres", "--no-plots", "--table", "forced.csv", "--out", "forced"])
-    assert done.exit_code == 0
+    called("run", "two_spheres", "--no-plots", "--table", "forced.csv", "--out", "forced")
     size = Path("forced.csv").stat().st_size
     assert abs(csv_size(Solution.load("forced/states.npz")) / size - 1) < 0.1
 
@@ -282,9 +281,7 @@ def test_a_folder_that_cannot_be_written_is_refused_before_anything_is_computed(
     before = sorted(tmp_path.rglob("*"))
     if out == ".":
         monkeypatch.chdir("target")
-    done = CliRunner().invoke(main, [command, "two_spheres", "--out", out])
-    assert done.exit_code == 2, (done.output, done.exception)
-    assert "--out" in done.output
+    assert "--out" in called(command, "two_spheres", "--out", out, code=2).output
     assert sorted(tmp_path.rglob("*")) == before
 
 
