@@ -32,7 +32,7 @@ SHORTER = {  # than the scenario's duration, which is longer than the horizon of
 }
 WITHIN, SHARE = 10.0, 0.95  # issue 6, 1: the true error within a factor of 10 of the estimate in at least 95 % of runs
 ROUNDING = 10.0  # requests count from so many times the rounding floor on
-SEEN_AT = 200  # times within the steps of a reference, and half as many anywhere
+SEEN_AT = 200  # times within the steps of a reference, as many at peaks of its forces, and half as many anywhere
 SEEN = 3.0  # an error below so many times the reference's own is not seen
 
 
@@ -67,7 +67,10 @@ class Motion:
             random, t = np.random.default_rng(len(runs[0].t)), runs[0].t
             within = t[:-1] + np.diff(t) * random.uniform(0, 1, len(t) - 1)  # close where much happens
             some = random.choice(within, min(SEEN_AT, len(within)), replace=False)
-            self.times = np.unique(np.append(some, random.uniform(t[0], t[-1], SEEN_AT // 2)))
+            rises = np.diff(runs[0].engine.history.part("force"), axis=0) > 0
+            peaks = t[1:-1][np.any(rises[:-1] & ~rises[1:], axis=1)]
+            peaks = random.choice(peaks, min(SEEN_AT, len(peaks)), replace=False)
+            self.times = np.unique(np.concatenate([some, random.uniform(t[0], t[-1], SEEN_AT // 2), peaks]))
             self.uncertain = max(LEAST, *(apart(*two, self.times) for two in combinations(runs, 2)))
 
     def measured(self, method: str, asked: float) -> Case:

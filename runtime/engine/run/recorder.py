@@ -144,10 +144,11 @@ class Sampled:
 
     That is at its start and end, at `count` times between, and within its own steps, which lie close where much
     happens: towards the end of all, or of every second, fourth, ... where they are many, of those through which a rate
-    is zero there, and throughout those in which the rates change most, as where friction turns round. Where a rate is
-    zero no shift in time accounts for an error: of a fast vibration it is seen there alone. Where effects have events,
-    one at the end of a step may change a state at once, and another run may have that event slightly earlier or later:
-    no sample lies so close to an end, and the shortest steps have none.
+    is zero there, at peaks of forces, and throughout those in which the rates change most, as where friction turns round.
+    Where a rate is zero no shift in time accounts for an error: of a fast vibration it is seen there alone. Nor does one
+    for a contact that alone is late, whose error is largest at its peak. Where effects have events, one at the end of a
+    step may change a state at once, and another run may have that event slightly earlier or later: no sample lies so close
+    to an end, and the shortest steps have none.
 
     later    find them when `history` is read, of a run whose steps are kept: one that is stopped needs none
     """
@@ -164,8 +165,8 @@ class Sampled:
         # no event of a period meets those between
         between = begin + (np.arange(count) + (3 - 5**0.5) / 2) / count * (end - begin)
         self._grid = Grid(np.concatenate([[begin], between, [end]]))
-        self._steps = self._turns = 0
-        self._within = _Within(self.EVEN, 1), _Within(self.EVEN, 1), _Within(self.BENT, len(self.THROUGHOUT))
+        self._steps = self._turns = self._peaks = 0
+        self._within = (*(_Within(self.EVEN, 1) for _ in range(3)), _Within(self.BENT, len(self.THROUGHOUT)))
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
@@ -186,10 +187,12 @@ class Sampled:
         short = self.SHORT * tolerance * length / speed if block.model.ne else 0.0
         begins = first + np.flatnonzero(np.diff(block.t[first:]) > short)
         turned, zeros = _turns(block, begins, speed / length)
-        even, through_zero, bent = self._within
+        peaked, peaks = _peaks(block, begins)
+        even, through_zero, at_peak, bent = self._within
         chosen = [
             even.choose(begins, _evenly(self._steps, len(begins)), np.array([[self.LATE]])),
             through_zero.choose(begins[turned], _evenly(self._turns, len(zeros)), zeros),
+            at_peak.choose(begins[peaked], _evenly(self._peaks, len(peaks)), peaks),
             bent.choose(begins, _bends(block, begins), np.array([self.THROUGHOUT])),
         ]
         index = np.concatenate([before, *(np.repeat(steps, parts.shape[1]) for steps, parts in chosen)])
@@ -204,7 +207,11 @@ class Sampled:
         self._grid.keep(at_times)
         for steps, states in zip(self._within, within, strict=True):
             steps.keep(states)
-        self._steps, self._turns = self._steps + len(begins), self._turns + len(zeros)
+        self._steps, self._turns, self._peaks = (
+            self._steps + len(begins),
+            self._turns + len(zeros),
+            self._peaks + len(peaks),
+        )
 
     @cached_property
     def history(self) -> History:
@@ -262,9 +269,23 @@ def _turns(block: History, begins: np.ndarray, pace: float) -> tuple[np.ndarray,
     h, y = (block.t[begins + 1] - block.t[begins])[turned], block.part("y")
     sign = np.sign(before[one])
     start, end, way = (sign * x for x in (h * before[one], h * after[one], (y[begins + 1, :n] - y[begins, :n])[one]))
+    return turned, _crests(np.zeros(len(turned)), way, start, end)
+
+
+def _peaks(block: History, begins: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return through which steps a normal force is largest, and at which parts of those (n, 1), by cubics."""
+    forces, rates = (block.part(name) for name in ("force", "force_rate"))
+    peaked, pair = np.nonzero((rates[begins] >= 0) & (rates[begins + 1] < 0))
+    before, h = begins[peaked], np.diff(block.t)[begins[peaked]]
+    ends = ((before, pair), (before + 1, pair))
+    return peaked, _crests(*(forces[end] for end in ends), *(h * rates[end] for end in ends))
+
+
+def _crests(before: np.ndarray, after: np.ndarray, rate: np.ndarray, rate_after: np.ndarray) -> np.ndarray:
+    """Return the parts (n, 1) of steps at which cubics of values and rates at their ends are largest."""
     with np.errstate(all="ignore"):  # of a run that left all scales
-        parts, *_ = crest_of_cubic(np, 0.0, way, start, end)
-    return turned, np.clip(np.nan_to_num(parts), 1 - Sampled.LATE, Sampled.LATE)[:, None]
+        parts, *_ = crest_of_cubic(np, before, after, rate, rate_after)
+    return np.clip(np.nan_to_num(parts), 1 - Sampled.LATE, Sampled.LATE)[:, None]
 
 
 def _bends(block: History, begins: np.ndarray) -> np.ndarray:

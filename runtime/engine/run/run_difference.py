@@ -33,7 +33,8 @@ def differences(model: EngineModel, scales: Scales, one: Trace, other: Trace, n:
     motions = reference, rows  # where one of them has had an event before the other, their rates differ
     rates = np.stack([motion.part("dy")[:, :m] for motion in motions])
     held = list(model.held)
-    apart[:, held] = 0
+    apart[:, held] = apart[:, model.timers] = 0
+    rates[..., model.timers] = 0
     force_rates = np.stack([motion.part("force_rate") for motion in motions])
     error, shift = scaling.distance(apart[:, :m] / size, rates / size, scales.pace)
     error, shift = error[..., None], shift[..., None]

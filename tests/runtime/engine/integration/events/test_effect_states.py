@@ -252,6 +252,7 @@ def test_a_countdown_is_no_error_at_the_instant_at_which_it_is_set():
     for row in (model.coordinates.index("control.countdown"), 0):
         y[:, row] += 0.01
         assert (departure(model, scales, y, reference).max() < 1e-5) == (row > 0)
+    assert sampled(0.01, accuracy=1e-6).error.of("control.countdown") == 0  # nor in the estimate of a run
 
 
 def test_a_relay_without_hysteresis_ends_with_what_it_has():
