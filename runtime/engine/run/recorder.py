@@ -285,7 +285,8 @@ def _crests(before: np.ndarray, after: np.ndarray, rate: np.ndarray, rate_after:
     """Return the parts (n, 1) of steps at which cubics of values and rates at their ends are largest."""
     with np.errstate(all="ignore"):  # of a run that left all scales
         parts, *_ = crest_of_cubic(np, before, after, rate, rate_after)
-    return np.clip(np.nan_to_num(parts), 1 - Sampled.LATE, Sampled.LATE)[:, None]
+    clipped: np.ndarray = np.clip(np.nan_to_num(parts), 1 - Sampled.LATE, Sampled.LATE)
+    return clipped[:, None]
 
 
 def _bends(block: History, begins: np.ndarray) -> np.ndarray:
