@@ -152,24 +152,3 @@ def test_a_wrong_coefficient_is_noticed(method, in_b, monkeypatch):
         check_order(COUNTS[method], errors, ORDERS[method])
     with pytest.raises(AssertionError):
         check_convergence(*measure(engine_model("slider_crank"), method, friction=True), ORDERS[method])
-
-
-# ---- energy ----------------------------------------------------------------------------------------------------------
-
-SCENES = {
-    "bouncing_ball": "5 s", "soft_ball": "5 s", "two_spheres": "0.1 s", "ball_between_walls": "2 s", "slider_crank": "24 ms",
-    "slider_crank_frictionless": "24 ms",
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-9])
-@pytest.mark.parametrize("method", ORDERS)
-@pytest.mark.parametrize("scene", SCENES)
-def test_ledger_closed(scene, method, tolerance):
-    """Within ten times the tolerance; dopri5 takes more steps of an error each, and of as definite a sign: within that per impact."""
-    run = simulate(model(scene), duration=SCENES[scene], tolerance=tolerance, method=method)
-    assert run.outcome.finished
-    assert run.energy_residual < 10 * tolerance * (len(run.impacts) if method == "dopri5" else 1)
-
-
-# ---- as C ------------------------------------------------------------------------------------------------------------

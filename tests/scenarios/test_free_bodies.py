@@ -149,22 +149,6 @@ def ball_on_floor(joint, *, friction=False):
     return engine_model(hd.Scene(hd.Mechanism("ball", (joint(ball),), (floor,)), (*effects, hd.EnergyLedger()), scales))
 
 
-@pytest.mark.parametrize("method", ["dop853", "rodas"])
-def test_a_free_ball_falls_and_bounces_as_one_on_a_slide(method):
-    """Three bounces: the spin and the other directions take no part."""
-    slide = ball_on_floor(lambda ball: hd.Prismatic("fall", hd.GROUND, ball, hd.Y))
-    free = ball_on_floor(lambda ball: hd.Free("fall", hd.GROUND, ball))
-    one = simulate(slide, duration=1.0, tolerance=1e-10, initial={"fall.travel": "0.3 m"})
-    start = {"fall.y": "0.3 m", "fall.angular_speed_y": "5 rad/s", "fall.x_speed": "1 m/s"}
-    two = simulate(free, duration=1.0, tolerance=1e-8 if method == "rodas" else 1e-10, method=method, initial=start)
-    assert len(one.impacts) == len(two.impacts) == 3
-    for a, b in zip(one.impacts, two.impacts, strict=True):
-        assert (b.t, b.speed, b.peak_force) == pytest.approx((a.t, a.speed, a.peak_force), rel=1e-5)
-    assert two["fall.x"] == pytest.approx(two.t, rel=1e-9)
-    assert two["fall.angular_speed_y"] == pytest.approx(5, rel=1e-12)
-    assert two.energy_residual < 1e-6
-
-
 @pytest.mark.parametrize("method", ["dop853", "esdirk"])
 def test_friction_turns_a_free_ball_by_what_it_takes_from_its_flight(method):
     """I dw = R x m dv: the impulse acts at the contact point, R away but for a penetration; sliding, it is mu times the normal one."""

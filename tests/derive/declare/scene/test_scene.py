@@ -297,12 +297,6 @@ def test_parameters_are_symbols_that_differ_by_everything_declared():
     assert sp.diff(hd.Parameter("r", "mm", 5) ** 2, hd.Parameter("r", "mm", 5)) == 2 * hd.Parameter("r", "mm", 5)
 
 
-@pytest.mark.parametrize("values", [(), (1, 2), (hd.Parameter("e", "1", 0.5), 1)])
-def test_a_law_is_bound_to_all_its_parameters(values):
-    with pytest.raises(TypeError, match="law flores takes"):
-        flores(*values)
-
-
 def test_a_law_is_bound_by_name_or_by_place():
     K, n = hd.Parameter("K", "N/m^1.5", 1.0), sp.Rational(3, 2)
     assert power(K, n) == power(K, n=1.5) == power(n=1.5, K=K)

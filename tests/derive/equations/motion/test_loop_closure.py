@@ -8,22 +8,7 @@ import sympy as sp
 from derived import Derived
 from kane import Tree, driven, random_tree
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Direction,
-    Free,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import simulate
 
@@ -79,16 +64,16 @@ class Closed:
         return u
 
     @property
-    def scene(self) -> Scene:
+    def scene(self) -> hd.Scene:
         scene = self.tree.scene()
-        bodies = (GROUND, *self.tree.bodies)
+        bodies = (hd.GROUND, *self.tree.bodies)
         places = [
             bodies[i + 1].at(
-                *(Parameter(f"{n}{k}", "m", float(v)) if v else 0 for k, v in zip("xyz", local, strict=True))
+                *(hd.Parameter(f"{n}{k}", "m", float(v)) if v else 0 for k, v in zip("xyz", local, strict=True))
             )
             for n, i, local in (("on_parent", self.parent, self.on_parent), ("on_child", self.child, self.on_child))
         ]
-        joint = Revolute("closing", *places, Z) if self.kind == "R" else Prismatic("closing", *places, X)
+        joint = hd.Revolute("closing", *places, hd.Z) if self.kind == "R" else hd.Prismatic("closing", *places, hd.X)
         return replace(scene, mechanism=replace(scene.mechanism, joints=(*scene.mechanism.joints, joint)))
 
 
@@ -170,8 +155,8 @@ def test_a_redundant_loop_is_no_obstacle():
     """Two hinges on one axis: the second loop says what the first does; each bears half of the force."""
     case = closed("four-bar", "R")
     twice = case.scene.mechanism.joints[-1]
-    again = Revolute("again", twice.parent, twice.child, Z)
-    scene = replace(case.scene, mechanism=Mechanism("tree", (*case.scene.mechanism.joints, again)))
+    again = hd.Revolute("again", twice.parent, twice.child, hd.Z)
+    scene = replace(case.scene, mechanism=hd.Mechanism("tree", (*case.scene.mechanism.joints, again)))
     once, both = Derived(case.scene), Derived(scene)
     options = {"t": 0.3, "q": case.q, "u": case.u, "f": np.array([1.0, -2.0, 0.5])}
     (a, _, force), (a2, _, forces) = once.call("accelerations", **options), both.call("accelerations", **options)
@@ -182,32 +167,32 @@ def test_a_redundant_loop_is_no_obstacle():
 def test_a_loop_that_cannot_be_closed_is_refused():
     case = closed("four-bar", "R")
     joint = case.scene.mechanism.joints[-1]
-    off = Revolute(
-        "closing", joint.parent, joint.child.body.at(*joint.child.position[:2], Parameter("off", "m", 0.1)), Z
+    off = hd.Revolute(
+        "closing", joint.parent, joint.child.body.at(*joint.child.position[:2], hd.Parameter("off", "m", 0.1)), hd.Z
     )
-    scene = replace(case.scene, mechanism=Mechanism("tree", (*case.scene.mechanism.joints[:-1], off)))
+    scene = replace(case.scene, mechanism=hd.Mechanism("tree", (*case.scene.mechanism.joints[:-1], off)))
     with pytest.raises(InputError, match=r"closing\.apart_z = off, whatever the motion"):
         Derived(scene)
 
 
-TILT = Parameter("tilt", "deg", 25)
+TILT = hd.Parameter("tilt", "deg", 25)
 
 
 def test_a_four_bar_in_a_tilted_plane_closes_as_triangles_require():
     """Across the plane no constraint is left; that it vanishes shows by numbers alone: cos sin - sin cos."""
-    base, a, b, c = (Parameter(name, "m", value) for name, value in zip("dabc", (0.3, 0.1, 0.3, 0.25), strict=True))
+    base, a, b, c = (hd.Parameter(name, "m", value) for name, value in zip("dabc", (0.3, 0.1, 0.3, 0.25), strict=True))
     crank, coupler, rocker = (
-        Body.rod(name, length, mass=Parameter(f"m_{name}", "kg", 1), centre=(length / 2, 0, 0))
+        hd.Body.rod(name, length, mass=hd.Parameter(f"m_{name}", "kg", 1), centre=(length / 2, 0, 0))
         for name, length in (("crank", a), ("coupler", b), ("rocker", c))
     )
-    axis = Direction((0, -sp.sin(TILT), sp.cos(TILT)))
+    axis = hd.Direction((0, -sp.sin(TILT), sp.cos(TILT)))
     joints = (
-        Revolute("main", GROUND, crank, axis), Revolute("pin", crank.at(a, 0, 0), coupler, axis),
-        Revolute("bearing", GROUND.at(base, 0, 0), rocker, axis), Revolute("last", coupler.at(b, 0, 0), rocker.at(c, 0, 0), axis),
+        hd.Revolute("main", hd.GROUND, crank, axis), hd.Revolute("pin", crank.at(a, 0, 0), coupler, axis),
+        hd.Revolute("bearing", hd.GROUND.at(base, 0, 0), rocker, axis), hd.Revolute("last", coupler.at(b, 0, 0), rocker.at(c, 0, 0), axis),
     )  # fmt: skip
-    scene = Scene(
-        Mechanism("four_bar", joints), (ConstantSpeed("drive", "main", Parameter("speed", "rad/s", 30)),),
-        Scales(length=a, speed=Parameter("pace", "m/s", 3), arm=a), Start(near={"bearing": Parameter("open", "rad", 1.8)}),
+    scene = hd.Scene(
+        hd.Mechanism("four_bar", joints), (hd.ConstantSpeed("drive", "main", hd.Parameter("speed", "rad/s", 30)),),
+        hd.Scales(length=a, speed=hd.Parameter("pace", "m/s", 3), arm=a), hd.Start(near={"bearing": hd.Parameter("open", "rad", 1.8)}),
     )  # fmt: skip
     assert not any("turned" in name for name, *_ in Derived(scene).CONSTRAINTS)
     run = simulate(scene, duration="0.1 s", tolerance=1e-8)
@@ -218,30 +203,31 @@ def test_a_four_bar_in_a_tilted_plane_closes_as_triangles_require():
 
 def guides(axis, turn, offset):
     """A belt and a block on parallel guides, and a third guide between them."""
-    belt, block = (Body(name, Parameter(f"m_{name}", "kg", 1)) for name in ("belt", "block"))
-    fixed = (GROUND.at(0, y, 0).turned(Z, turn) for y in (0, offset))
-    joints = Prismatic("run", next(fixed), belt, axis), Prismatic("slide", next(fixed), block, axis)
-    pace = Parameter("pace", "m/s", 0.1)
-    mechanism = Mechanism("guides", (*joints, Prismatic("rub", belt, block, axis)))
-    return Scene(mechanism, (), Scales(length=Parameter("size", "m", 0.1), speed=pace))
+    belt, block = (hd.Body(name, hd.Parameter(f"m_{name}", "kg", 1)) for name in ("belt", "block"))
+    fixed = (hd.GROUND.at(0, y, 0).turned(hd.Z, turn) for y in (0, offset))
+    joints = hd.Prismatic("run", next(fixed), belt, axis), hd.Prismatic("slide", next(fixed), block, axis)
+    pace = hd.Parameter("pace", "m/s", 0.1)
+    mechanism = hd.Mechanism("guides", (*joints, hd.Prismatic("rub", belt, block, axis)))
+    return hd.Scene(mechanism, (), hd.Scales(length=hd.Parameter("size", "m", 0.1), speed=pace))
 
 
-@pytest.mark.parametrize("way", [(X, TILT), (Direction((sp.cos(TILT), sp.sin(TILT), 0)), 0)])
+@pytest.mark.parametrize("way", [(hd.X, TILT), (hd.Direction((sp.cos(TILT), sp.sin(TILT), 0)), 0)])
 def test_parallel_guides_along_a_tilted_axis_leave_no_constraint(way):
     assert not Derived(guides(*way, 0)).CONSTRAINTS
     with pytest.raises(InputError, match=r"rub\.off_\w other than 0, whatever the motion"):
-        Derived(guides(*way, Parameter("offset", "mm", 1)))
+        Derived(guides(*way, hd.Parameter("offset", "mm", 1)))
 
 
 def test_faults_of_closing_joints_come_all_at_once():
     case = closed("four-bar", "R")
     scene, joint = case.scene, case.scene.mechanism.joints[-1]
-    free = Free("loose", joint.parent, joint.child)
-    speed = Parameter("pace_in", "rad/s", 1.0)
+    free = hd.Free("loose", joint.parent, joint.child)
+    speed = hd.Parameter("pace_in", "rad/s", 1.0)
     with pytest.raises(InputError) as error:
         replace(
             scene, mechanism=replace(scene.mechanism, joints=(*scene.mechanism.joints, free)),
-            effects=(*scene.effects, ConstantSpeed("drive", "closing", speed)), start=Start(position={"closing": Parameter("turn_in", "rad", 0.1)}),
+            effects=(*scene.effects, hd.ConstantSpeed("drive", "closing", speed)),
+            start=hd.Start(position={"closing": hd.Parameter("turn_in", "rad", 0.1)}),
         )  # fmt: skip
     actual = {fault.where: fault for fault in error.value.faults}
     assert "free joint" in actual["joint loose"].found

@@ -2,19 +2,8 @@
 
 import pytest
 import sympy as sp
+import sympy.physics.mechanics as me
 import sympy_models as models
-from sympy.physics.mechanics import (
-    KanesMethod,
-    LagrangesMethod,
-    Particle,
-    PinJoint,
-    Point,
-    ReferenceFrame,
-    RigidBody,
-    System,
-    dynamicsymbols,
-    inertia,
-)
 
 from hertzwerk.derive import InputError, Parameter, Scales, Start, T, from_sympy
 from hertzwerk.derive.exchange.user_files.audit_files import audit_path
@@ -96,28 +85,33 @@ def test_an_audit_of_a_file_finds_them(tmp_path):
 
 
 def kane(frame, q, u, rates, bodies, loads=(), **constraints):
-    method = KanesMethod(frame, q, u, kd_eqs=rates, **constraints)
+    method = me.KanesMethod(frame, q, u, kd_eqs=rates, **constraints)
     method.kanes_equations(bodies, list(loads) or None)
     return method
 
 
 def arm_with_a_slider(wrong):
     """A bead on a turning arm by the theory of one point; its own motion along the arm is forgotten."""
-    q, s, u, v = dynamicsymbols("q s u v")
-    N, O = ReferenceFrame("N"), Point("O")
+    q, s, u, v = me.dynamicsymbols("q s u v")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
     A = N.orientnew("A", "Axis", (q, N.z))
     A.set_ang_vel(N, u * N.z)
     O.set_vel(N, 0)
     P = O.locatenew("P", s * A.x)
     P.set_vel(A, 0 if wrong else v * A.x)
     P.v1pt_theory(O, N, A)
-    return kane(N, [q, s], [u, v], [q.diff() - u, s.diff() - v], [Particle("bead", P, m)]), O, {q: "rad", s: "m"}, "m"
+    return (
+        kane(N, [q, s], [u, v], [q.diff() - u, s.diff() - v], [me.Particle("bead", P, m)]),
+        O,
+        {q: "rad", s: "m"},
+        "m",
+    )
 
 
 def two_links(wrong):
     """A double pendulum whose second bob is fixed in the first link instead of the second."""
-    q, u = dynamicsymbols("q:2"), dynamicsymbols("u:2")
-    N, O = ReferenceFrame("N"), Point("O")
+    q, u = me.dynamicsymbols("q:2"), me.dynamicsymbols("u:2")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
     A, B = (N.orientnew(name, "Axis", (angle, N.z)) for name, angle in zip("AB", q, strict=True))
     for link, rate in zip((A, B), u, strict=True):
         link.set_ang_vel(N, rate * N.z)
@@ -128,51 +122,51 @@ def two_links(wrong):
     R.v2pt_theory(P, N, A if wrong else B)
     S = R.locatenew("S", -l * B.y)  # what is beyond only inherits it
     S.v2pt_theory(R, N, B)
-    bobs = [Particle(point.name, point, m) for point in (P, R, S)]
+    bobs = [me.Particle(point.name, point, m) for point in (P, R, S)]
     return kane(N, q, u, [a.diff() - b for a, b in zip(q, u, strict=True)], bobs), O, dict.fromkeys(q, "rad"), "m l"
 
 
 def body_in_space(wrong):
     """A body that turns about x, then about its own y; with the angular velocity of the other order."""
-    (a, b), (p, s) = dynamicsymbols("a b"), dynamicsymbols("p s")
-    N, C = ReferenceFrame("N"), Point("C")
+    (a, b), (p, s) = me.dynamicsymbols("a b"), me.dynamicsymbols("p s")
+    N, C = me.ReferenceFrame("N"), me.Point("C")
     C.set_vel(N, 0)
     B = N.orientnew("B", "Body", [a, b, 0], "XYZ")
     other = p * B.x + s * (sp.cos(a) * B.y - sp.sin(a) * B.z)
     B.set_ang_vel(N, other if wrong else p * (sp.cos(b) * B.x + sp.sin(b) * B.z) + s * B.y)
-    body = RigidBody("body", C, B, m, (inertia(B, J, 2 * J, 1.5 * J), C))
+    body = me.RigidBody("body", C, B, m, (me.inertia(B, J, 2 * J, 1.5 * J), C))
     return kane(N, [a, b], [p, s], [a.diff() - p, b.diff() - s], [body]), C, {a: "rad", b: "rad"}, "m J"
 
 
 def satellite(wrong):
     """A body of four Euler parameters whose speeds are along its own axes; they are set along the ground's."""
-    q, u = dynamicsymbols("e:4"), dynamicsymbols("w:3")
-    N, C = ReferenceFrame("N"), Point("C")
+    q, u = me.dynamicsymbols("e:4"), me.dynamicsymbols("w:3")
+    N, C = me.ReferenceFrame("N"), me.Point("C")
     C.set_vel(N, 0)
     B = N.orientnew("B", "Quaternion", q)
     e0, e1, e2, e3 = q
     x, y, z = u
     B.set_ang_vel(N, x * N.x + y * N.y + z * N.z if wrong else x * B.x + y * B.y + z * B.z)
     rates = (-e1 * x - e2 * y - e3 * z, e0 * x + e2 * z - e3 * y, e0 * y + e3 * x - e1 * z, e0 * z + e1 * y - e2 * x)
-    body = RigidBody("body", C, B, m, (inertia(B, J, 2 * J, 1.5 * J), C))
+    body = me.RigidBody("body", C, B, m, (me.inertia(B, J, 2 * J, 1.5 * J), C))
     equations = [2 * e.diff() - rate for e, rate in zip(q, rates, strict=True)]
     return kane(N, q, u, equations, [body]), C, dict.fromkeys(q, "rad") | dict.fromkeys(u, "rad/s"), "m J"
 
 
 def disc(wrong):
     """A rolling disc of three angles that spins against its kinematical equation."""
-    q, u = dynamicsymbols("q1:4"), dynamicsymbols("u1:4")
-    N = ReferenceFrame("N")
+    q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
+    N = me.ReferenceFrame("N")
     Y = N.orientnew("Y", "Axis", [q[0], N.z])
     L = Y.orientnew("L", "Axis", [q[1], Y.x])
     R = L.orientnew("R", "Axis", [q[2], L.y])
     turning = R.ang_vel_in(N)
     R.set_ang_vel(N, u[0] * L.x + u[1] * L.y + u[2] * L.z)
-    C, D = Point("C"), Point("D")
+    C, D = me.Point("C"), me.Point("D")
     C.set_vel(N, 0)
     D.set_pos(C, r * L.z)
     D.v2pt_theory(C, N, R)
-    body = RigidBody("disc", D, R, m, (inertia(L, J, 2 * J, J), D))
+    body = me.RigidBody("disc", D, R, m, (me.inertia(L, J, 2 * J, J), D))
     rates = [(turning - R.ang_vel_in(N)).dot(axis) for axis in L]
     if wrong:
         rates[1] = turning.dot(L.y) + u[1]
@@ -181,21 +175,21 @@ def disc(wrong):
 
 def shaken(wrong):
     """A pendulum on a pivot that follows a function of time, whose velocity has the wrong sign; the bob inherits it."""
-    q, u, y = dynamicsymbols("q u y")
-    N, O = ReferenceFrame("N"), Point("O")
+    q, u, y = me.dynamicsymbols("q u y")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
     A = N.orientnew("A", "Axis", (q, N.z))
     O.set_vel(N, 0)
     V = O.locatenew("V", y * N.y)
     V.set_vel(N, (-1 if wrong else 1) * y.diff() * N.y)
     P = V.locatenew("P", -l * A.y)
     P.v2pt_theory(V, N, A)
-    return kane(N, [q], [u], [q.diff() - u], [Particle("bob", P, m)]), O, {q: "rad", y: "m"}, "m l"
+    return kane(N, [q], [u], [q.diff() - u], [me.Particle("bob", P, m)]), O, {q: "rad", y: "m"}, "m l"
 
 
 def rolling(wrong):
     """A wheel that rolls in a plane: its hub's velocity by its spin, as the constraint alone has it; with a wrong sign."""
-    x, q, v, u = dynamicsymbols("x q v u")
-    N, O = ReferenceFrame("N"), Point("O")
+    x, q, v, u = me.dynamicsymbols("x q v u")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
     W = N.orientnew("W", "Axis", (q, N.z))
     W.set_ang_vel(N, u * N.z)
     O.set_vel(N, 0)
@@ -203,7 +197,7 @@ def rolling(wrong):
     H.set_vel(N, (r if wrong else -r) * u * N.x)
     G = H.locatenew("G", -r * N.y)  # the wheel's point on the ground is at rest there, and moves along in position
     G.set_vel(N, H.vel(N) + r * u * N.x)
-    wheel = RigidBody("wheel", H, W, m, (inertia(W, J, J, 2 * J), H))
+    wheel = me.RigidBody("wheel", H, W, m, (me.inertia(W, J, J, 2 * J), H))
     slip = {"u_dependent": [v], "velocity_constraints": [v + r * u]}
     made = kane(N, [x, q], [u], [x.diff() - v, q.diff() - u], [wheel], [(G, m * g * N.x)], **slip)
     return made, O, {x: "m", q: "rad", v: "m/s", u: "rad/s"}, "m r g J"
@@ -211,8 +205,8 @@ def rolling(wrong):
 
 def bar_in_a_circle(wrong):
     """A bead whose two coordinates a circle holds; its velocity is written with the radius, as the circle alone has it."""
-    x, y, v, w = dynamicsymbols("x y v w")
-    N, O = ReferenceFrame("N"), Point("O")
+    x, y, v, w = me.dynamicsymbols("x y v w")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
     O.set_vel(N, 0)
     P = O.locatenew("P", x * N.x + y * N.y)
     P.set_vel(N, v * (x**2 + y**2) / l**2 * N.x + (w if wrong else -v * x / y) * N.y * (2 if wrong else 1))
@@ -220,32 +214,32 @@ def bar_in_a_circle(wrong):
         "q_dependent": [y], "u_dependent": [w], "configuration_constraints": [x**2 + y**2 - l**2],
         "velocity_constraints": [x * v + y * w],
     }  # fmt: skip
-    made = kane(N, [x], [v], [x.diff() - v, y.diff() - w], [Particle("bead", P, m)], **held)
+    made = kane(N, [x], [v], [x.diff() - v, y.diff() - w], [me.Particle("bead", P, m)], **held)
     return made, O, {x: "m", y: "m"}, "m l"
 
 
 def cart(wrong):
     """Lagrange's equations of a cart on whose track the origin itself is said to move."""
-    x = dynamicsymbols("x")
-    N, O = ReferenceFrame("N"), Point("O")
+    x = me.dynamicsymbols("x")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
     O.set_vel(N, x.diff() * N.x if wrong else 0)
     P = O.locatenew("P", x * N.x)
     P.set_vel(N, O.vel(N) + x.diff() * N.x)
-    body = Particle("cart", P, m)
-    method = LagrangesMethod(m * x.diff() ** 2 / 2 - k * x**2 / 2, [x], bodies=[body], frame=N)
+    body = me.Particle("cart", P, m)
+    method = me.LagrangesMethod(m * x.diff() ** 2 / 2 - k * x**2 / 2, [x], bodies=[body], frame=N)
     method.form_lagranges_equations()
     return method, O, {x: "m"}, "m k"
 
 
 def chain_by_joints(wrong):
     """A System of two pin joints, one of whose frames is set to turn against its joint."""
-    ground, *links = (RigidBody(name, frame=ReferenceFrame(name), mass=m) for name in "NAB")
+    ground, *links = (me.RigidBody(name, frame=me.ReferenceFrame(name), mass=m) for name in "NAB")
     for body in (ground, *links):
-        body.inertia = (inertia(body.frame, J, J, J), body.masscenter)
-    system = System.from_newtonian(ground)
+        body.inertia = (me.inertia(body.frame, J, J, J), body.masscenter)
+    system = me.System.from_newtonian(ground)
     for i, (one, other) in enumerate(((ground, links[0]), (links[0], links[1]))):
-        joint = PinJoint(
-            f"joint{i}", one, other, *dynamicsymbols(f"q{i} u{i}"), child_point=l * other.frame.y,
+        joint = me.PinJoint(
+            f"joint{i}", one, other, *me.dynamicsymbols(f"q{i} u{i}"), child_point=l * other.frame.y,
             joint_axis=one.frame.z,
         )  # fmt: skip
         system.add_joints(joint)
