@@ -261,13 +261,10 @@ def test_the_fronts_are_imported_by_nobody_but_what_is_written_as_users_write():
     assert {str(file.parent) for file in importers} <= {"derive/scenes", "derive/scenes/hard", "runtime/engine/model"}
 
 
-def test_derive_imports_sympy_and_nothing_of_the_other_side():
+def test_derive_imports_sympy_and_pydantic_where_a_file_is_read():
     foreign = ("casadi", "numpy", "scipy", "matplotlib", "hertzwerk.generated", "hertzwerk.runtime")
     assert offenders(sources("derive"), *foreign) == []
     assert offenders(sources("derive"), "sympy") != []
-
-
-def test_derive_imports_pydantic_only_where_a_file_is_read():
     importers = {file.name for file in sources("derive") if any(reaches(m, "pydantic") for m in modules(file))}
     assert importers == {"file_schema.py", "law_table.py", "urdf_elements.py"}
     loaded = "import sys; from hertzwerk.derive.exchange.user_files import law_file, urdf; sys.exit('pydantic' in sys.modules)"
@@ -282,12 +279,9 @@ def test_common_imports_the_standard_library_and_pydantic_alone(file):
         assert module.split(".")[0] in sys.stdlib_module_names or own, module
 
 
-def test_generated_modules_import_casadi_only():
+def test_generated_modules_import_casadi_only_and_runtime_never_sympy():
     for file in sources("generated"):
         assert set(modules(file)) <= {"casadi"}, file
-
-
-def test_runtime_never_imports_sympy():
     assert offenders(sources("runtime"), "sympy") == []
 
 
@@ -356,9 +350,6 @@ def repeated(files: list[Path]) -> set[str]:
 
 def test_a_name_stands_for_one_concept():
     assert repeated(files()) == set(SAME_CONCEPT)
-
-
-def test_a_repeated_name_would_be_found():
     paths = [
         "derive/a/x.py", "runtime/b/x.py", "runtime/c/y.py", "derive/d/y/v.py", "derive/f/e/w.py", "runtime/e/u.py",
         "derive/g/g.py",

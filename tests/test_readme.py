@@ -60,13 +60,10 @@ def commands(name):
 # -- the first page ----------------------------------------------------------------------------------------------------
 
 
-def test_set_up_example_and_picture_stand_by_line_40():
+def test_the_first_page_has_the_set_up_by_line_40_and_at_most_100_lines():
     top = "\n".join(TEXTS["README.md"].splitlines()[:40])
     for promised in ("pip install .", "hertzwerk run slider_crank", "pytest", "```python", ".readme/slider_pin.png)"):
         assert promised in top
-
-
-def test_it_has_at_most_100_lines_and_its_example_10():
     assert len(TEXTS["README.md"].splitlines()) <= 100
     assert len(blocks("README.md", "python")[0].splitlines()) <= 10
 
@@ -76,13 +73,10 @@ def test_a_folder_is_described_in_at_most_120_lines(folder):
     assert len(TEXTS[f"{folder}/README.md"].splitlines()) <= 120
 
 
-def test_it_counts_the_stiffness_laws_of_today():
+def test_laws_are_counted_and_commands_listed():
     verdicts = [law.verdict for law in hertzwerk.derive.laws.LAWS.values() if law.kind == "stiffness"]
     odd = sum(verdict != "consistent" for verdict in verdicts)
     assert f"| {odd} of {len(verdicts)} stiffness laws have" in TEXTS["README.md"]
-
-
-def test_all_commands_are_listed():
     listed = re.findall(r"^\| `hertzwerk (\w+)", TEXTS["runtime/README.md"], re.MULTILINE)
     assert set(listed) == set(main.list_commands(None))
 
@@ -147,15 +141,12 @@ def test_links_lead_somewhere(name):
     ] == []
 
 
-def test_pictures_are_small_and_each_is_shown():
-    """Those that are committed; the handbook's are drawn when it is built."""
+def test_pictures_are_small_shown_and_of_all_mechanisms():
+    # Those that are committed; the handbook's are drawn when it is built.
     shown = {Path(target).name for name in DOCUMENTS for target in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", TEXTS[name])}
     pictures = {path.name: path.read_bytes() for path in (ROOT / ".readme").iterdir()}
     assert set(pictures) == shown
     assert all(content.startswith(b"\x89PNG\r\n\x1a\n") and len(content) < 850_000 for content in pictures.values())
-
-
-def test_the_picture_of_all_mechanisms_has_them_all():
     from PIL import Image
 
     from hertzwerk.runtime.engine.model.build import built_in_scenes
@@ -212,9 +203,19 @@ def test_every_record_stands_there_with_its_signature(kind):
     assert TEXTS[f"{HANDBOOK}/reference/effects.md"].count(f"\n| `{kind.__name__}(") <= 1  # none of an older signature
 
 
-def test_every_public_name_is_explained():
+def test_names_scenes_keys_and_outcomes_are_explained():
     text = pages("howto/model", "howto/contact", "howto/exchange", "reference", "explanation")
     assert [name for name in dir(hertzwerk.derive) if not re.search(rf"\b{name}\b", text)] == []
+    shown = re.findall(r"^\| `hertzwerk run (\w+)`", TEXTS["derive/scenes/README.md"], re.MULTILINE)
+    assert sorted(shown) == sorted(NAMES)
+    page = TEXTS[f"{HANDBOOK}/reference/file-formats.md"].split("## Scenario files")[1].split("| quantity |")[0]
+    keys = {key for row in re.findall(r"^\| (`.*?) \|", page, re.MULTILINE) for key in re.findall(r"`(\w+)`", row)}
+    assert keys == set(Scenario.model_fields)
+    page = TEXTS[f"{HANDBOOK}/howto/run/accuracy-unreachable.md"]
+    named = {name for row in re.findall(r"^\| (`.*?) \|", page, re.MULTILINE) for name in re.findall(r"`(\w+)`", row)}
+    literal = re.findall(r'^        "([a-z]+_[a-z_]+)",$', inspect.getsource(outcome), re.MULTILINE)
+    assert len(literal) > 3
+    assert named - {"outcome"} >= {*literal, *(name for name, *_ in outcome._OUTCOMES.values())}
 
 
 def test_how_to_pages_have_20_to_40_lines():
@@ -222,25 +223,6 @@ def test_how_to_pages_have_20_to_40_lines():
     assert {
         name: length for name, length in lengths.items() if not 20 <= length <= 40 and not name.endswith("index.md")
     } == {}
-
-
-def test_every_scene_is_in_the_gallery():
-    shown = re.findall(r"^\| `hertzwerk run (\w+)`", TEXTS["derive/scenes/README.md"], re.MULTILINE)
-    assert sorted(shown) == sorted(NAMES)
-
-
-def test_every_key_of_a_scenario_is_explained():
-    page = TEXTS[f"{HANDBOOK}/reference/file-formats.md"].split("## Scenario files")[1].split("| quantity |")[0]
-    keys = {key for row in re.findall(r"^\| (`.*?) \|", page, re.MULTILINE) for key in re.findall(r"`(\w+)`", row)}
-    assert keys == set(Scenario.model_fields)
-
-
-def test_every_outcome_is_explained():
-    page = TEXTS[f"{HANDBOOK}/howto/run/accuracy-unreachable.md"]
-    named = {name for row in re.findall(r"^\| (`.*?) \|", page, re.MULTILINE) for name in re.findall(r"`(\w+)`", row)}
-    literal = re.findall(r'^        "([a-z]+_[a-z_]+)",$', inspect.getsource(outcome), re.MULTILINE)
-    assert len(literal) > 3
-    assert named - {"outcome"} >= {*literal, *(name for name, *_ in outcome._OUTCOMES.values())}
 
 
 def patterns():

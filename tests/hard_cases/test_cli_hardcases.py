@@ -115,15 +115,12 @@ def test_the_list_names_every_case_but_runs_none():
     assert all(case.name in text for case in CASES if not case.long)
 
 
-def test_every_fault_of_bad_input_at_once():
+def test_bad_input_is_one_error_with_every_fault():
     done = run("--case", "drop_to_rst", "--case", "nothing_of_the_kind_at_all", "--method", "euler")
     assert done.exit_code == 2
     assert done.stdout == ""
     for text in ("drop_to_rst:", "mean drop_to_rest", "nothing_of_the_kind_at_all:", "euler:", "one of dopri5"):
         assert text in done.stderr
-
-
-def test_a_method_that_does_not_claim_the_case_is_bad_input():
     done = run("--case", "settling_flores", "--method", "dopri5")
     assert done.exit_code == 2
     assert "settling_flores with dopri5" in done.stderr

@@ -125,14 +125,12 @@ def test_a_ball_that_goes_through_the_floor():
     assert broken(run_of(changed(gaps=lower))) == (invariants.DEPTH,)
 
 
-def test_another_final_state_than_the_known_one():
+def test_another_final_state_outcome_or_number_of_steps(monkeypatch):
     other = replace(CASE, known=(final("vertical.speed", 200.0, 100.0, "wrong"),))
     assert broken(run_of(runner.model_of(BALL)), other) == ("final vertical.speed",)
-
-
-def test_more_steps_than_the_bound(monkeypatch):
     monkeypatch.setitem(TRIES, CASE.name, {"dop853": 1})
     assert broken(run_of(runner.model_of(BALL))) == (invariants.STEPS,)
+    assert broken(run_of(runner.model_of(BALL)), replace(CASE, outcome="outside_law_range")) == (runner.OUTCOME,)
 
 
 def test_a_bound_of_theory_counts_instead():
@@ -140,10 +138,6 @@ def test_a_bound_of_theory_counts_instead():
     tries = run.statistics.steps + run.statistics.rejected + run.statistics.retaken
     assert broken(run, replace(CASE, theory={"dop853": tries})) == ()
     assert broken(run, replace(CASE, theory={"dop853": tries - 1})) == (invariants.STEPS,)
-
-
-def test_another_outcome_than_the_expected_one():
-    assert broken(run_of(runner.model_of(BALL)), replace(CASE, outcome="outside_law_range")) == (runner.OUTCOME,)
 
 
 def test_one_bit_between_the_two_paths():

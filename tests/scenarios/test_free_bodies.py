@@ -85,10 +85,7 @@ def test_a_quaternion_keeps_its_norm_however_long_and_rough_the_run():
     run = simulate(model, duration=2000.0, tolerance=1e-2, initial=rate(3.0, 6.0, 1.0))
     assert run.statistics.steps > 2000
     assert np.max(np.abs(np.linalg.norm(of(run, *QUATERNION), axis=1) - 1)) < 4e-16 * 4
-
-
-def test_without_its_projection_the_norm_would_drift():
-    """The check above can fail: the same run on a model that says it has no quaternions."""
+    # The check above can fail: the same run on a model that says it has no quaternions.
     model = spinning(0.05, 0.03, 0.02)
     model.quaternions = ()
     run = simulate(model, duration=2000.0, tolerance=1e-2, initial=rate(3.0, 6.0, 1.0))

@@ -105,15 +105,12 @@ def test_both_walks_agree(text, expect):
 PAIR = {"K": "N/m^1.5", "d": "m"}
 
 
-def test_a_value_is_a_number_and_a_quantity_with_a_unit_keeps_it():
+def test_a_value_is_a_number_and_only_a_literal_zero_has_every_dimension():
     assert audit_expression("a*x", {"x": "m"}, {"a": 3.0}).found == "m"
     assert (
         audit_expression("a*x", {"x": "m", "a": "s"}, {"a": 3.0}).found == "m s"
     )  # the value does not take the unit away
     assert audit_expression("x + a", {"x": "m"}, {"a": 3.0}).verdict == "inconsistent"
-
-
-def test_only_a_literal_zero_has_every_dimension():
     assert audit_expression("0*m + v", UNITS).found == "m/s"
     assert audit_expression("0.0*m/t + v", UNITS).found == "m/s"
     assert audit_expression("max(v, 0)", UNITS).found == "m/s"
@@ -322,22 +319,16 @@ def write(folder: Path, **files: str) -> Path:
     return folder
 
 
-def test_a_toml_file_of_laws(tmp_path):
+def test_files_of_laws_and_of_a_scene(tmp_path):
     write(tmp_path, laws_toml=GOOD_LAW + BAD_LAW)
     good, bad = audit_path(tmp_path / "laws.toml")
     assert (good.law, good.kind, good.verdict, good.found) == ("my_foam", "stiffness", "consistent", "N")
     assert (bad.law, bad.verdict, bad.consistent_exponent) == ("bad_foam", "inconsistent", "3/2")
     assert bad.subexpression == "K*d**n"  # as written, and without the sum that cannot be at fault
-
-
-def test_a_python_file_of_laws(tmp_path):
     write(tmp_path, good_py=PYTHON_LAW.replace("UNIT", "N/m"), bad_py=PYTHON_LAW.replace("UNIT", "N/m^1.5"))
     assert {f.verdict for f in audit_path(tmp_path / "good.py")} == {"consistent"}
     (bad,) = audit_path(tmp_path / "bad.py")
     assert (bad.law, bad.found, bad.expected) == ("mine", "N/m^0.5", "N")
-
-
-def test_a_python_file_of_a_scene(tmp_path):
     from hertzwerk.derive.scenes import bouncing_ball
 
     write(tmp_path, scene_py=Path(bouncing_ball.__file__).read_text())

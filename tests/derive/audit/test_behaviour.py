@@ -123,15 +123,12 @@ def softening(third):
     return law(E_SCENE, Parameter("third", "N/m^3", third))
 
 
-def test_a_scene_is_tried_at_its_numbers():
-    """A softening spring holds or not by the numbers it is given: at those of the scene, up to the smaller radius."""
+def test_a_scene_is_tried_at_its_numbers_unless_its_law_is_unchecked():
+    # A softening spring holds or not by the numbers it is given: at those of the scene, up to the smaller radius.
     assert "state a `reach` below 0.000577 m" in str(*scene_faults(drop(effects=(Contact("floor", softening(1e12)),))))
     assert not [*scene_faults(drop(effects=(Contact("floor", softening(1.0)),)))]
     with pytest.raises(InputError, match="no longer rising"):
         generate(drop(effects=(Contact("floor", softening(1e12)),)))
-
-
-def test_unchecked_laws_are_not_tried():
     assert not [*scene_faults(drop(effects=(Contact("floor", softening(1e12), unchecked=True),)))]
 
 

@@ -55,13 +55,10 @@ def test_scenes_are_advised_once_and_only_where_law_and_pair_differ(name):
     assert said == module.ADVICE
 
 
-def test_advice_is_no_fault():
+def test_advice_is_no_fault_and_laws_that_fit_get_none():
     findings = audit_scene(crank)
     assert [finding.verdict for finding in findings].count("advice") == 1
     assert all(finding.sound for finding in findings)
-
-
-def test_a_law_for_any_form_and_one_that_fits_are_left_alone():
     assert advice(crank.with_law("slider_pin", "johnson")) == ()
     K = hd.Parameter("K", "N/m^1.5", 1e10)
     assert advice(crank.replace(slider_pin=hd.Contact("slider_pin", power(K, 1.5)))) == ()

@@ -67,12 +67,9 @@ def test_formulas_keep_their_meaning(latex, text):
     assert said(read(latex)) == text
 
 
-def test_a_term_of_several_lines_has_its_remark_beside_it():
+def test_lines_break_before_signs_and_keep_their_remark():
     latex = "\\begin{aligned}\n& m \\ddot{x} && \\text{inertia} \\\\\n&= F && \\text{slider\\_pin} \\\\\n&\\quad - g\n\\end{aligned}"
     assert [remark for _, remark in lines_of(latex)] == ["inertia", "slider_pin", ""]
-
-
-def test_lines_may_break_before_signs_but_not_after():
     ((line, _),) = lines_of(r"a = - b + \left(c + d\right) - e")
     assert [said(ElementTree.fromstring(piece)) for piece in re.findall("<math.*?</math>", line)] == [
         "a", "=−b", "+(c+d)", "−e",
@@ -118,14 +115,11 @@ def test_every_symbol_of_an_equation_is_in_its_formula(scene):
             assert set(more) <= {"1"}, text  # of a long fraction taken apart
 
 
-def test_one_over_a_sum_of_fractions_stays_whole():
+def test_fractions_and_cases_keep_their_form():
     terms = " + ".join(rf"\frac{{1 - \nu_{{{k}}}^{{2}}}}{{E_{{{k}}}}}" for k in (1, 2))
     assert len(lines_of(rf"E = \frac{{1}}{{{terms}}}")[0][0].split("<mfrac>")) == 4
     assert "(" not in lines_of(rf"E = \frac{{1}}{{{terms}}}")[0][0]
     assert "(" in lines_of(rf"E = \frac{{a + b + {terms}}}{{c}}")[0][0]
-
-
-def test_a_long_case_goes_on_in_the_next_line():
     for count, lines in ((2, 0), (20, 3)):
         terms = " + ".join(f"a_{{{k}}} b c" for k in range(10, 10 + count))
         cases = read(rf"\begin{{cases}} {terms} & \text{{if }} x < 0 \\ 0 & \text{{else}} \end{{cases}}")
@@ -134,9 +128,6 @@ def test_a_long_case_goes_on_in_the_next_line():
         assert "".join(found) in ("", re.sub("[ {}]", "", terms))
     below = read(rf"\begin{{cases}} {'a' * 40} & \text{{if }} {'b' * 30} < 0 \\ 0 & \text{{else}} \end{{cases}}")
     assert [len(row) for row in below.iter("mtr")] == [1, 1, 2]
-
-
-def test_branches_of_an_else_are_cases_of_one_brace():
     x = sp.Symbol("x", real=True)
     inner = Where(x < 2, x**2, 3)
     shown = latex_of(Where(x < 1, 0, inner) + inner**2, {x: "x"})

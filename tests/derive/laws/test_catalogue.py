@@ -241,11 +241,14 @@ def test_a_law_with_modes_knows_no_speed():
         replace(LAWS["coulomb"], holding=None)
 
 
-def test_law_for_another_pair_is_refused():
+def test_laws_for_another_pair_or_clearance_are_refused():
     text = refused(JOURNAL, LAWS["pereira_external_si"](STEEL, STEEL))
     assert "pereira_external_si at a pin_in_bush pair" in text and "parallel_cylinders" in text
     assert "pin_in_bush" in refused(ROLLERS, LAWS["wang_liu_internal"](STEEL, STEEL))
     scene(ROLLERS, LAWS["wang_liu_external"](STEEL, STEEL))
+    wide = replace(JOURNAL, clearance=hd.Parameter("thin_film", "um", 3))
+    text = refused(wide, pereira_internal_si(STEEL, STEEL))
+    assert "for pereira_internal_si" in text and "[5e-06, 0.01]" in text
 
 
 def test_reference_quantities_have_their_values():
@@ -258,9 +261,3 @@ def test_reference_quantities_have_their_values():
     wrong = pereira_internal_si(STEEL, STEEL, l_ref=hd.Parameter("reference_length", "mm", 2), p_ref=values["p_ref"])
     assert "reference length" in refused(JOURNAL, wrong)
     assert {q for q, _ in pereira_internal_si.defaults} == {l_ref, p_ref}
-
-
-def test_clearance_outside_the_fit_is_refused():
-    wide = replace(JOURNAL, clearance=hd.Parameter("thin_film", "um", 3))
-    text = refused(wide, pereira_internal_si(STEEL, STEEL))
-    assert "for pereira_internal_si" in text and "[5e-06, 0.01]" in text

@@ -37,11 +37,8 @@ def test_a_law_has_a_signature_and_a_documentation_of_its_own(name):
     assert law.__doc__.splitlines()[0] in pydoc.plain(pydoc.render_doc(law))
 
 
-def test_values_of_its_own_are_defaults():
+def test_defaults_and_classes_of_laws_keep_their_signature():
     defaults = [parameter.default.name for parameter in inspect.signature(palmgren_si).parameters.values()]
     assert defaults == ["reference_length", "reference_force"]
-
-
-def test_a_class_of_laws_keeps_its_signature():
     assert list(inspect.signature(type(flores)).parameters)[:2] == ["name", "title"]
     assert type(flores).__doc__ != flores.__doc__

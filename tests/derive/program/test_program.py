@@ -166,17 +166,14 @@ def test_sharing_respects_names_that_are_taken():
 # -- naming ------------------------------------------------------------------------------------------------------------
 
 
-def test_names_are_unique_and_no_keywords():
+def test_names_are_unique_no_keywords_and_one_for_each_dimension():
     small = Small()
     names = [small.tape.let(sp.sin(small.q[0] + i), "lambda").name for i in range(3)]
     names += [small.tape.let(sp.cos(small.q[0] + i), "q").name for i in range(2)]
     assert len(set(names)) == 5
     assert not {"lambda", "q", "t", "c"} & set(names)
     assert all(name.isidentifier() for name in names)
-
-
-def test_a_stated_dimension_makes_a_name_of_its_own():
-    """An unchecked force must not be confused with a checked result of the same form."""
+    # An unchecked force must not be confused with a checked result of the same form.
     small = Small()
     checked = small.tape.let(small.q[0] * small.q[1], "checked")
     stated = small.tape.let(small.q[0] * small.q[1], "stated", ONE)
@@ -222,14 +219,11 @@ def test_rates_are_derivatives_along_the_motion(seed):
     assert float(small.value(rate, values_of(small))) == pytest.approx(float(expected), rel=1e-9, abs=1e-9)
 
 
-def test_a_stated_rate_stands_for_the_chain_rule():
+def test_rates_are_stated_zero_or_refused():
     small = Small()
     height = small.tape.let(sp.sin(small.q[0]), "height")
     small.tape.set_rate(height, small.u[1])
     assert small.tape.rate(height * 2, "rate") == small.tape.let(2 * small.u[1], "other")
-
-
-def test_constants_have_no_rate_and_unknown_inputs_no_guess():
     small = Small()
     assert small.tape.rate(small.k * small.m + 1, "rate") == 0
     force = small.tape.input("push", "f", ONE)

@@ -205,28 +205,22 @@ def test_names_are_identifiers_whatever_parts_and_kinds_are_called(role):
     assert values([one], [actual], GIVEN) == plain
 
 
-def test_repetitions_that_save_nothing_stay_written_out():
+def test_what_saves_nothing_and_what_differs_stays_written_out():
     one = rows("a b c d", "b c d e")
     assert shared_and_same(one) == [] and len(one.steps) == 12
-
-
-def test_other_operations_are_no_function():
     one = rows("a b c d", "b c d e", "c d e f", "d e f g")
     one.steps[3] = step_of("pair_0_gap", "pair_0_reach/d", {"pair_0_reach", "d"})
     [actual] = shared_and_same(one)
     assert len(actual.sites) == 3 or len(actual.steps) < 6
 
 
-def test_values_that_another_part_reads_are_computed_before():
-    """A step of one pair that another reads cannot be within the call alone."""
+def test_values_that_another_part_or_a_leaf_reads_stay_outside_of_the_call():
+    # A step of one pair that another reads cannot be within the call alone.
     one = rows("a b c d", "b c d e", "c d e f", "pair_0_apart e f g")
     [actual] = shared_and_same(one)
     assert "pair_0_apart" in [target for step in one.steps if not step.callee for target in step.targets]
     assert len(actual.sites) == 4
-
-
-def test_a_leaf_that_needs_the_function_is_cut():
-    """Where a leaf of one site is computed from a step inside of it, no call can have both."""
+    # Where a leaf of one site is computed from a step inside of it, no call can have both.
     code = LINES.format("pair_3", "d", "e", "within", "g")
     one = rows("a b c d", "b c d e", "c d e f")
     last = block(

@@ -105,26 +105,20 @@ def own(tmp_path):
     return written
 
 
-def test_an_effect_of_ones_own_is_one_class_in_a_file(own):
-    """v = v0/(1 + k v0 t/m), and ledger, outputs and equations for people know of it without a line elsewhere."""
+def test_effects_of_ones_own_on_a_body_a_joint_and_a_pair(own):
+    # v = v0/(1 + k v0 t/m), and ledger, outputs and equations for people know of it without a line elsewhere.
     model = engine_model(own(DRAG, "kg/m"))
     speeds = {"flight.x_speed": (3, "m/s"), "flight.y_speed": (4, "m/s")}
     run = simulate(model, duration=2.0, tolerance=1e-11, initial=speeds)
     assert run["air.speed"][-1] == pytest.approx(5 / (1 + 0.3 * 5 * 2 / 0.7), rel=1e-9)
     assert run["air.dissipated"][-1] == pytest.approx(0.35 * (25 - run["air.speed"][-1] ** 2), rel=1e-9)
     assert ("air", "air_drag", "air drag") in model.module.EFFECTS
-
-
-def test_an_effect_of_ones_own_on_a_joint(own):
-    """The energy k q^4/4 it stores is what the block's motion gives up."""
+    # The energy k q^4/4 it stores is what the block's motion gives up.
     run = simulate(engine_model(own(HARDENING, "N/m^3")), duration=20.0, tolerance=1e-11)
     q, u = run["slide.travel"], run["slide.speed"]
     assert 0.7 * u[-1] ** 2 / 2 + 0.3 * q[-1] ** 4 / 4 == pytest.approx(0.3 * 0.1**4 / 4, rel=1e-8)
     assert abs(q[-1]) < 0.0999
-
-
-def test_an_effect_of_ones_own_at_a_pair(own):
-    """The pin swings at sqrt(k/m) in its bush, which has no contact."""
+    # The pin swings at sqrt(k/m) in its bush, which has no contact.
     run = simulate(engine_model(own(CENTRING, "N/m")), duration=3.0, tolerance=1e-11)
     rate = (0.3 / 0.7) ** 0.5
     np.testing.assert_allclose(run["flight.x"][-1], 0.01 / rate * np.sin(3 * rate), rtol=1e-8)

@@ -45,14 +45,11 @@ def test_its_quantities_have_units_and_ranges(options, where, expected):
     refused(lambda: scene(hd.Weld("clamp", GROUND, beam.start), beam), where, "", expected)
 
 
-def test_it_carries_its_end_and_stands_behind_its_start():
+def test_its_ends_are_carried_in_order_and_take_forces():
     beam = rod()
     refused(lambda: scene(beam), "joint rod", "rod_start", "to the ground by a joint")
     end_first = hd.Weld("clamp", GROUND, beam.start), hd.Planar("base", GROUND, beam.end), beam
     refused(lambda: scene(*end_first), "joint rod", "whose end another joint carries", "Declare the rod before")
-
-
-def test_forces_act_on_its_ends_alone():
     beam = rod()
     joints = hd.Weld("clamp", GROUND, beam.start), beam
     spring = hd.JointSpring("spring", "rod.bending", Parameter("k", "N/m", 1))

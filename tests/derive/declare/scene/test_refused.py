@@ -88,16 +88,13 @@ def test_a_gap_that_is_zero_in_every_position_is_refused():
     assert hd.generate(scene(guided(BALL.radius - deep), effects=(touch, rub), pairs=(BALL,)))
 
 
-def test_a_force_on_a_driven_joint_moves_nothing_but_is_in_the_books():
+def test_a_drive_is_never_idle_and_a_force_on_its_joint_is_in_the_books():
     joints = TRACK, hd.Revolute("pin", BODY.at(L, 0, 0), hd.Body("arm", 2 * MASS, TRIPLE, (L, 0, 0)), hd.Z)
     effects = hd.ConstantSpeed("drive", "track", SPEED), hd.JointForce("push", "track", FORCE)
     (fault,) = refused(*joints, effects=effects).values()
     assert "its joint is driven" in fault.expected
     hd.derive(scene(*joints, effects=(*effects, hd.EnergyLedger())))
-
-
-def test_a_drive_is_never_idle():
-    """At a constant speed it enters no equation of motion, and yet takes a coordinate away."""
+    # At a constant speed it enters no equation of motion, and yet takes a coordinate away.
     arm = hd.Body("arm", 2 * MASS, TRIPLE, (L, 0, 0))
     hd.derive(
         scene(TRACK, hd.Revolute("pin", BODY, arm, hd.Z), effects=(hd.ConstantSpeed("drive", "track", SPEED), GRAVITY))
@@ -133,15 +130,12 @@ def test_axes_that_coincide_without_a_mass_between_are_named(label):
     assert "Leave one of the joints out" in actual[where].remedy
 
 
-def test_each_such_motion_is_a_fault():
+def test_each_such_motion_is_a_fault_and_a_mass_in_between_is_none():
     joints = (
         hd.Revolute("one", hd.GROUND, CROSS, hd.Z), hd.Revolute("two", CROSS, MORE, hd.Z), hd.Revolute("three", MORE, BODY, hd.Z),
         hd.Prismatic("slide", BODY, hd.Body("last", MASS, TRIPLE), hd.X),
     )  # fmt: skip
     assert set(refused(*joints)) == {"joints one and two", "joints one and three"}
-
-
-def test_a_mass_in_between_is_no_fault():
     middle = hd.Body("middle", MASS, TRIPLE)
     hd.derive(scene(hd.Revolute("one", hd.GROUND, middle, hd.Z), hd.Revolute("two", middle, BODY, hd.Z), effects=()))
 

@@ -259,13 +259,14 @@ def test_all_faults_of_a_scene_come_at_once():
     assert len(set(caught.value.faults)) == len(caught.value.faults)
 
 
-def test_zero_has_every_unit_and_angles_may_be_bare():
+def test_zeros_bare_angles_and_closed_limits_are_sound():
     scene = replace(slider_crank, start=hd.Start(position={"crank_pin": sp.pi / 6, "guide": 0}, speed={"crank_pin": 0}))
     assert scene.start.position["crank_pin"] == sp.pi / 6
-
-
-def test_a_point_mass_beside_the_axis_needs_no_inertia():
     assert turning(0, (parameter("l", "m"), 0, 0))
+    # Closed ends hold, open ones do not.
+    assert bouncing(flores(1)).name == "drop"
+    assert bouncing(hunt_crossley(0)).name == "drop"
+    assert drop(effects=(hd.Contact("floor", power(hd.Parameter("K", "N/m", 1.0), 1)),)).name == "drop"
 
 
 def test_a_value_outside_the_recommended_range_is_no_fault():
@@ -277,17 +278,10 @@ def test_a_value_outside_the_recommended_range_is_no_fault():
     assert '("restitution", "defined", 0, 1, False, False,' in text
 
 
-def test_limits_at_their_ends():
-    """Closed ends hold, open ones do not."""
-    assert bouncing(flores(1)).name == "drop"
-    assert bouncing(hunt_crossley(0)).name == "drop"
-    assert drop(effects=(hd.Contact("floor", power(hd.Parameter("K", "N/m", 1.0), 1)),)).name == "drop"
-
-
 # -- parameters and laws -----------------------------------------------------------------------------------------------
 
 
-def test_parameters_are_symbols_that_differ_by_everything_declared():
+def test_parameters_differ_by_everything_declared_and_laws_are_bound_by_name_or_by_place():
     assert hd.Parameter("r", "mm", 5) == hd.Parameter("r", "mm", 5)
     others = (
         hd.Parameter("r", "m", 5), hd.Parameter("r", "mm", 6), hd.Parameter("r", "mm", 5, "of the pin"), hd.Parameter("R", "mm", 5),
@@ -295,9 +289,6 @@ def test_parameters_are_symbols_that_differ_by_everything_declared():
     assert len({hd.Parameter("r", "mm", 5), *others}) == 5
     assert hd.Parameter("r", "mm", 5).si == pytest.approx(0.005)
     assert sp.diff(hd.Parameter("r", "mm", 5) ** 2, hd.Parameter("r", "mm", 5)) == 2 * hd.Parameter("r", "mm", 5)
-
-
-def test_a_law_is_bound_by_name_or_by_place():
     K, n = hd.Parameter("K", "N/m^1.5", 1.0), sp.Rational(3, 2)
     assert power(K, n) == power(K, n=1.5) == power(n=1.5, K=K)
     with pytest.raises(TypeError, match="not expected"):
@@ -311,7 +302,7 @@ def names(scene):
     return [effect.name for effect in scene.effects]
 
 
-def test_without_gives_a_new_scene_and_leaves_the_old_one():
+def test_without_gives_a_new_scene_or_says_what_needs_the_effect():
     before = names(slider_crank)
     lean = slider_crank.without("slider_pin_friction", "gravity")
     assert names(lean) == ["crank_drive", "slider_pin", "energy_ledger"]
@@ -319,29 +310,20 @@ def test_without_gives_a_new_scene_and_leaves_the_old_one():
     assert "gravity" not in lean.parameters
     assert "friction_speed" not in lean.parameters
     assert lean.mechanism is slider_crank.mechanism
-
-
-def test_without_an_unknown_effect_lists_every_unknown_name():
     with pytest.raises(hd.InputError) as caught:
         slider_crank.without("nope", "gravity", "neither")
     assert [fault.where for fault in caught.value.faults] == ["nope", "neither"]
     assert all("crank_drive" in fault.expected for fault in caught.value.faults)
-
-
-def test_without_what_another_effect_needs_is_refused():
     with pytest.raises(hd.InputError, match="Friction needs a normal force"):
         slider_crank.without("slider_pin")
     assert "slider_pin" not in names(slider_crank.without("slider_pin", "slider_pin_friction"))
-
-
-def test_without_the_drive_the_joint_gets_its_coordinate_back():
     assert [freedom.key for freedom in slider_crank.free] == ["crank_pin", "guide"]
     assert [freedom.key for freedom in slider_crank.without("crank_drive").free] == [
         "main_bearing", "crank_pin", "guide",
     ]  # fmt: skip
 
 
-def test_replace_exchanges_one_effect():
+def test_replace_and_with_law_exchange_one_effect():
     contact = hd.Contact("slider_pin", STIFFNESS, flores(hd.Parameter("restitution", "1", 0.9)))
     scene = slider_crank.replace(slider_pin=contact)
     assert scene.effect("slider_pin") is contact
@@ -349,9 +331,6 @@ def test_replace_exchanges_one_effect():
     assert slider_crank.effect("slider_pin") is not contact
     with pytest.raises(hd.InputError, match="nope: found no effect of this name"):
         slider_crank.replace(nope=contact)
-
-
-def test_with_law_keeps_the_parameters():
     scene = slider_crank.with_law("slider_pin", "flores")
     old, new = slider_crank.effect("slider_pin"), scene.effect("slider_pin")
     assert new.damping.law is flores

@@ -219,17 +219,14 @@ def test_release_rules_differ_and_tsuji_is_exact_where_the_gap_opens():
     assert -early.engine.final["slide.speed"] / PACE > 0.71
 
 
-def test_a_reconstruction_says_so_in_the_module():
-    """The paper's own expressions could not be had: what stands for them is labelled wherever the law is named."""
+def test_modules_label_reconstructions_and_compute_factors_once():
+    # The paper's own expressions could not be had: what stands for them is labelled wherever the law is named.
     text = hd.generate(scene("pin_in_bush", "wang_liu_internal", "flores"))
     label = "wang_liu_internal x flores, wang_liu_internal a reconstruction (grade R)"
     assert f"    joint: {label}\n" in text  # header
     assert f'("joint", "contact", "{label}")' in text
     assert "grade R" not in hd.generate(scene("pin_in_bush", "johnson", "flores"))
-
-
-def test_the_exact_factor_is_computed_once():
-    """The chain of its definitions stands in constants(p), none of it in the contact."""
+    # The chain of its definitions stands in constants(p), none of it in the contact.
     text = hd.generate(scene("pin_in_bush", "johnson", "exact"))
     functions = {part.split("(")[0]: part for part in text.split("\ndef ")[1:]}
     assert "ca.exp(" in functions["constants"]

@@ -46,7 +46,7 @@ def test_the_smoothed_penetration_joins_with_two_derivatives():
     assert sp.diff(begin, x, 3).subs(x, 1) != 0  # and no more
 
 
-def test_the_force_has_two_derivatives_at_onset_and_join(ball):
+def test_the_force_is_smooth_at_onset_and_join_and_deeper_by_the_length(ball):
     for speed in (0.0, -0.5):
         for at in (0.0, 2 * EPSILON):
             below, above = force_of(ball, [at - 1e-13, at + 1e-13], speed).T
@@ -55,9 +55,6 @@ def test_the_force_has_two_derivatives_at_onset_and_join(ball):
     hard = engine_model(scene.replace(floor=Contact("floor", *DAMPED)))
     _, _, curvature = force_of(hard, [1e-12])
     assert curvature > 1e12  # what the exact law has there
-
-
-def test_the_same_force_is_deeper_by_the_length(ball):
     depths = np.array([2.5, 10, 100]) * EPSILON
     force = force_of(ball, depths)[0]
     np.testing.assert_allclose(force, 1e7 * (depths - EPSILON) ** 1.5, rtol=1e-12)

@@ -209,15 +209,12 @@ def test_mass_matrix_is_diagonal_in_blocks():
     assert not [name for name in masses if name.startswith("M_") and name.count("body") > 1]
 
 
-def test_cost_is_linear_in_the_length_of_a_chain():
+def test_cost_is_linear_in_the_length_of_a_chain_with_inertias_or_without():
     counts = [
         dict(Derived(chain(n, "Z").scene(ledger=False).with_coordinates("absolute")).OPERATIONS)["accelerations"]
         for n in (4, 8, 16)
     ]
     assert counts[2] - counts[1] == 2 * (counts[1] - counts[0])
-
-
-def test_cost_is_linear_without_inertias_too_and_nothing_is_lent_to_who_has_one():
     counts = [dict(Derived(bobs(n).with_coordinates("absolute")).OPERATIONS)["accelerations"] for n in (3, 4, 5)]
     assert counts[2] - counts[1] == counts[1] - counts[0]
     wanted = [
@@ -291,15 +288,12 @@ def trestle(n: int) -> hd.Scene:
     return hd.Scene(hd.Mechanism("trestle", tuple(joints)), (), hd.Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
 
 
-def test_auto_keeps_the_cheaper_and_says_so():
+def test_auto_keeps_the_cheaper_or_what_can_be_had():
     short, long = (Derived(scene.with_coordinates("auto")) for scene in (chain(2, "Z").scene(ledger=False), trestle(8)))
     assert short.JOINT_COORDINATES is None
     assert "Coordinates: of the joints, as the cheaper" in short.text
     assert long.JOINT_COORDINATES
     assert "Coordinates: absolute, as the cheaper" in long.text
-
-
-def test_auto_keeps_the_joints_where_absolute_coordinates_cannot_be_had():
     text = Derived(
         hung(
             (hd.Body("one", MASS, ACROSS), hd.Z, ORIGIN), (hd.Body("two", MASS, ACROSS), hd.X, ALONG_X)
@@ -308,12 +302,9 @@ def test_auto_keeps_the_joints_where_absolute_coordinates_cannot_be_had():
     assert "Coordinates: of the joints; the bodies' own cannot be had: body one, inertia" in text
 
 
-def test_a_body_that_nothing_turns_and_one_that_is_driven_have_no_coordinates_for_it():
+def test_names_of_absolute_coordinates():
     result = Derived(slider_crank.with_coordinates("absolute"))
     assert [name for name, _ in result.COORDINATES] == ["rod.x", "rod.y", "rod.angle", "slider.x", "slider.y"]
-
-
-def test_a_base_joint_is_named_after_its_body_unless_a_joint_is():
     body = hd.Body("pin", P("mass", "kg", 1.0))
     length, speed = P("reach", "m", 1.0), P("pace", "m/s", 1.0)
     scene = hd.Scene(

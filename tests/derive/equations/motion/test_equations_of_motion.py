@@ -246,17 +246,14 @@ def test_slider_crank_equals_the_equations_derived_by_hand(friction, depth):
 # -- planar equations come out planar ----------------------------------------------------------------------------------
 
 
-def test_every_coordinate_plane_costs_the_same():
-    """There is no special path for the plane of x and y."""
+def test_no_plane_and_no_further_inertia_costs_more():
+    # There is no special path for the plane of x and y.
     for elsewhere, here in (
         ("in the plane of y and z", random_tree("R+Z P+X R-Z", 9, planar=2, down="-Y")),
         ("sideways gravity", random_tree("R-Z R+Z", 10, planar=2, down="+Y")),
     ):
         assert derived_of(f"planar, {elsewhere}").OPERATIONS == Derived(here.scene()).OPERATIONS
-
-
-def test_a_spatial_body_in_a_plane_mechanism_costs_nothing_more():
-    """A triple of principal inertias beside plane motion adds no operation after the constants."""
+    # A triple of principal inertias beside plane motion adds no operation after the constants.
     flat = random_tree("R+Z R+Z R+Z", 61, planar=2)
     full = Tree(tuple(replace(link, scalar=None) for link in flat.links), flat.gravity, flat.down)
     counts = [dict(Derived(tree.scene()).OPERATIONS) for tree in (flat, full)]

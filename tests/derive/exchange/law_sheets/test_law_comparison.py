@@ -30,13 +30,10 @@ def test_forces_are_those_known(law):
     assert force_curve(law, DEPTHS, CLEARANCES).forces == pytest.approx(KNOWN[law], rel=2e-5)
 
 
-def test_a_force_follows_the_clearance():
-    """Dry formula of Liu with its length: sqrt(d/(2 (dR + d)))."""
+def test_a_force_follows_the_clearance_and_ends_with_the_law():
+    # Dry formula of Liu with its length: sqrt(d/(2 (dR + d))).
     narrow, wide = force_curve("liu_with_length", (1e-6, 1e-6), (5e-5, 5e-4)).forces
     assert narrow / wide == pytest.approx(math.sqrt((5e-4 + 1e-6) / (5e-5 + 1e-6)), rel=1e-12)
-
-
-def test_beyond_its_reach_and_without_a_real_value_a_law_has_no_force():
     johnson = force_curve("johnson", (1e-4, 3e-4), CLEARANCES[:2])
     assert johnson.reach == pytest.approx([4 / math.e**2 * 0.5e-3] * 2)
     assert [math.isnan(force) for force in johnson.forces] == [False, True]
@@ -55,13 +52,10 @@ def test_millimetres_change_the_force_of_inconsistent_laws_alone(law):
         assert curve.in_mm == pytest.approx(KNOWN["pereira_internal_si"], rel=2e-5)
 
 
-def test_an_open_exponent_is_put_in():
+def test_open_exponents_are_put_in_and_units_are_those_of_the_formula():
     curve = force_curve("lankarani_nikravesh_cylinders", (1e-5,), (0.5e-3,), 1.25)
     assert curve.unit == "N/m^0.25"
     assert curve.forces[0] == pytest.approx(2090.33 * 1e-5**-0.25, rel=1e-5)
-
-
-def test_units_are_found_as_the_formula_has_them():
     expected = {"bai_zhao": "N/m^0.5", "liu": "N/m", "johnson": "N"}
     assert {name: force_curve(name, DEPTHS, CLEARANCES).unit for name in expected} == expected
     assert "is 1/m^2, and log takes" in force_curve("goldsmith", DEPTHS, CLEARANCES).unit

@@ -298,13 +298,10 @@ def across(direction):
     return scene.replace(gravity=hd.Gravity("gravity", scene.effect("gravity").acceleration, direction=direction))
 
 
-def test_an_effect_that_enters_nothing_is_refused():
+def test_an_effect_that_enters_nothing_is_refused_but_a_locked_joint_is_none():
     assert equations_of(across(-hd.Y))
     with pytest.raises(hd.InputError, match="effect gravity: found no equation that it enters"):
         equations_of(across(hd.Z))
-
-
-def test_a_locked_joint_is_no_idle_effect():
     one = hd.Body("one", hd.Parameter("m_1", "kg", 1))
     two = hd.Body("two", hd.Parameter("m_2", "kg", 1))
     joints = (hd.Prismatic("a", hd.GROUND, one, axis=hd.X), hd.Prismatic("b", one, two, axis=hd.X))
@@ -314,16 +311,13 @@ def test_a_locked_joint_is_no_idle_effect():
     assert shown[1].name == "row a"
 
 
-def test_an_inconsistent_scene_is_refused_in_its_own_words():
+def test_an_inconsistent_scene_is_refused_in_its_own_words_unless_unchecked():
     scene = scene_from("bouncing_ball")
     wrong = hd.Contact("floor", power(hd.Parameter("wrong_stiffness", "N/m", 1e6), 1.7))
     with pytest.raises(hd.InputError) as raised:
         equations_of(scene.replace(floor=wrong))
     assert "consistent" in str(raised.value)
     assert "mark_" not in str(raised.value)
-
-
-def test_an_unchecked_law_says_so():
     scene = scene_from("soft_ball")
     wrong = hd.Contact("floor", power(hd.Parameter("wrong_stiffness", "N/m", 1e6), 1.7), unchecked=True)
     assert "UNCHECKED" in equations_of(scene.replace(floor=wrong)).markdown()

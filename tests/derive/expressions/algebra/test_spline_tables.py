@@ -39,13 +39,10 @@ def test_it_is_scipys_quintic_spline_of_the_same_end_conditions(count, slopes):
     )
 
 
-def test_two_points_are_a_straight_line():
+def test_two_points_are_a_straight_line_and_units_are_those_of_the_table():
     assert curve(hd.Table("lift", (1, 3), (5, 9), ("s", "m")), np.array([1, 1.5, 3])) == pytest.approx(
         [5, 6, 9], rel=1e-15
     )
-
-
-def test_units_are_those_of_arguments_and_values():
     table = hd.Table("lift", (0, 20, 40), (0, 5, 0), ("ms", "mm"), (100, 100))
     assert curve(table, np.array([0.02])) == pytest.approx([0.005], rel=1e-15)
     assert [row[2] for row in table.pieces()][::2] == pytest.approx([100, 100])  # mm/ms is m/s
@@ -109,27 +106,21 @@ def test_the_declared_derivatives_are_those_of_the_position():
         assert ours == pytest.approx(by_ad, abs=1e-14)
 
 
-def test_the_table_stands_in_the_module_and_is_looked_up_once_per_use():
+def test_a_table_stands_once_in_the_module_and_may_be_a_characteristic():
     derived = generated(position=sine(9)(hd.T))
     assert len(derived.SINE_TABLE) == 9
     assert derived.text.count("def _spline") == 1
     assert "_TABLE" not in generated(position=SIZE * sp.sin(hd.Parameter("w", "rad/s", 1) * hd.T)).text
-
-
-def test_a_table_of_a_coordinate_is_a_characteristic():
     grip = hd.Table("grip", (-1, 0, 1), (-7, 0, 7), ("m", "N"))
     derived = generated(hd.JointForce("pull", "free", -grip(hd.coordinate_of("free"))), position=sine(9)(hd.T))
     assert derived.call("applied", t=0, q=[0.25], u=[0.0])[0] == pytest.approx(-1.75, rel=1e-12)
 
 
-def test_it_is_written_as_a_function():
+def test_it_is_written_as_a_function_of_two_derivatives():
     up_down = hd.Table("up_down", (0, 1), (0, 1), ("s", "m"))
     twice = SIZE * sp.diff(up_down(hd.T), hd.T, 2)
     assert text_of(twice) == str(twice) == "size*up_down''(t)"
     assert latex_of(up_down(hd.T)) == r"\mathrm{up\_down}\left(t\right)"
-
-
-def test_the_third_derivative_is_refused():
     with pytest.raises(ValueError, match="two derivatives"):
         sp.diff(sine(9)(hd.T), hd.T, 3)
     assert sp.diff(sine(9)(2 * hd.T), hd.T) == 2 * Spline(sine(9), 2 * hd.T, 1)

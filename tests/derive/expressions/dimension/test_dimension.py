@@ -145,18 +145,23 @@ def test_the_bare_symbol_is_offered_an_exponent_first(root):
         assert check(product, TABLE, dim("N")).repair.startswith(f"E*sqrt({root}) is N/m^1.5: ")
 
 
-def test_symbolic_exponent_must_be_a_constant():
+def test_exponents_are_constants_compared_as_values_and_fractions():
     assert dimension_of(Kn * d**n, TABLE, {n}) == dim("N")
     with pytest.raises(DimensionError, match="depends on n, no constant parameter"):
         dimension_of(Kn * d**n, TABLE)
-
-
-def test_symbolic_exponents_are_compared_as_values():
     assert Dimension(L=(n + 1) ** 2 - n**2) == Dimension(L=2 * n + 1)
     assert Dimension(L=n / (n + 1) + 1 / (n + 1)) == dim("m")
     assert Dimension(L=1 + 1 / k) == Dimension(L=(k + 1) / k)
     assert Dimension(L=n) != Dimension(L=k)
     assert hash(Dimension(L=n * 2.0)) == hash(Dimension(L=2 * n))
+    assert dimension_of(d ** sp.Float(1.5), TABLE) == Dimension(L=Rational(3, 2))
+    assert dimension_of(d ** sp.Float(0.1), TABLE) == Dimension(L=Rational(1, 10))
+    assert dimension_of(d ** (1.0 * n / 3), TABLE, {n}) == Dimension(L=n / 3)
+    assert dimension_of(d ** sp.Float(1.50001), TABLE) != Dimension(L=Rational(3, 2))
+    assert Dimension.from_unit("N/m^n", {"n": 1.5}) == dim("N/m^1.5")
+    assert Dimension.from_unit("N/m^n", {"n": n}) == Dimension(1, 1 - n, -2)
+    with pytest.raises(UnitError, match="found the exponent n"):
+        Dimension.from_unit("N/m^n")
 
 
 def test_galin_sneddon_is_consistent_for_every_profile():
@@ -167,20 +172,6 @@ def test_galin_sneddon_is_consistent_for_every_profile():
     assert dimension_of(force, table, {k, xi}) == dim("N")
     fault = check(force, table | {C: dim("m")}, dim("N"), {k, xi})  # d/C is then a number
     assert (fault.found, fault.expected) == ("N/m", "N")
-
-
-def test_float_exponents_are_the_fractions_meant():
-    assert dimension_of(d ** sp.Float(1.5), TABLE) == Dimension(L=Rational(3, 2))
-    assert dimension_of(d ** sp.Float(0.1), TABLE) == Dimension(L=Rational(1, 10))
-    assert dimension_of(d ** (1.0 * n / 3), TABLE, {n}) == Dimension(L=n / 3)
-    assert dimension_of(d ** sp.Float(1.50001), TABLE) != Dimension(L=Rational(3, 2))
-
-
-def test_from_unit_asks_for_the_names_in_exponents():
-    assert Dimension.from_unit("N/m^n", {"n": 1.5}) == dim("N/m^1.5")
-    assert Dimension.from_unit("N/m^n", {"n": n}) == Dimension(1, 1 - n, -2)
-    with pytest.raises(UnitError, match="found the exponent n"):
-        Dimension.from_unit("N/m^n")
 
 
 def test_zero_has_every_dimension():
@@ -252,7 +243,7 @@ def test_checking_a_thousand_assignments_costs_a_few_walks_of_sympy():
 # --- Where ----------------------------------------------------------------------------------------------------------
 
 
-def test_where_differentiates_branch_by_branch():
+def test_where_differentiates_branch_by_branch_and_evaluates_once_decided():
     force = Where(d > 0, K * d**2, v)
     assert force.diff(d) == Where(d > 0, 2 * K * d, 0)
     assert force.diff(v) == Where(d > 0, 0, 1)
@@ -260,9 +251,6 @@ def test_where_differentiates_branch_by_branch():
     assert (x * force).diff(d) == x * Where(d > 0, 2 * K * d, 0)
     assert force.fdiff(2) == Where(d > 0, 1, 0)
     assert force.fdiff(3) == Where(d > 0, 0, 1)
-
-
-def test_where_evaluates_once_its_condition_is_decided():
     force = Where(d > 0, K * d**2, v)
     assert force.func is Where
     assert force.subs(d, 3).doit() == 9 * K

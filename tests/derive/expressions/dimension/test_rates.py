@@ -60,12 +60,9 @@ def test_angular_speeds_are_taken(crank, text):
     assert crank.bind({"crank_speed": text})["crank_speed"] == pytest.approx(5000 * math.pi / 30, rel=1e-15)
 
 
-def test_an_initial_speed_is_held_to_it_too(crank):
+def test_initial_speeds_and_hertz_say_what_to_write(crank):
     with pytest.raises(hd.InputError, match=r'write "300 rpm" where it counts turns, "5 rad/s"'):
         simulate(crank, duration="1 ms", initial={"crank_pin.speed": "5 1/s"})
-
-
-def test_hertz_says_what_to_write(crank):
     with pytest.raises(hd.InputError, match=r"rpm \(1 Hz of turns is 60 rpm\) or rad/s"):
         crank.bind({"crank_speed": "83 Hz"})
 

@@ -48,13 +48,10 @@ def test_one_name_stands_for_all_and_an_own_law_for_one():
     assert not many.without("balls").all(hd.Contact)
 
 
-def test_points_of_one_body_make_no_pair():
+def test_every_fault_is_listed_and_points_of_one_body_make_no_pair():
     dumb_bell, ball = bodies(2)
     pairs = hd.every_pair("balls", [dumb_bell.at(-R, 0, 0), dumb_bell.at(R, 0, 0), ball], R)
     assert [pair.name for pair in pairs] == ["balls_1_3", "balls_2_3"]
-
-
-def test_every_fault_is_listed():
     one, two = bodies(2)
     with pytest.raises(hd.InputError) as caught:
         hd.every_pair("a ball", [one, "two", two, one.at(0, 0, 0)], "5 mm")

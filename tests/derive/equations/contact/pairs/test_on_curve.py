@@ -85,8 +85,8 @@ def test_of_several_candidates_the_nearest_is_taken(made, curve):
         assert abs(gaps(derived, (0, x, y, 0))[0]) == pytest.approx(np.min(apart), rel=1e-6, abs=2e-7)
 
 
-def test_to_both_sides_of_a_hollow_the_distance_is_the_same(made):
-    """Both lobes beside it compete; the nearest sample alone would sometimes belong to the wrong one."""
+def test_distances_beside_a_hollow_and_beyond_an_end(made):
+    # Both lobes beside it compete; the nearest sample alone would sometimes belong to the wrong one.
     derived, worst = made(point(LOBED)), 0.0
     for angle in (2 * np.arange(5) + 1) * np.pi / 5:
         for r in np.linspace(0.026, 0.06, 12):
@@ -95,9 +95,6 @@ def test_to_both_sides_of_a_hollow_the_distance_is_the_same(made):
             ]
             worst = max(worst, abs(beside[0] - beside[1]))
     assert worst < 1e-9  # at a centre of curvature, where the nearest point is badly determined; elsewhere 1e-16
-
-
-def test_the_solid_is_to_the_left_and_beyond_an_end_the_end_is_nearest(made):
     above, below = (gaps(made(point(ARCH)), (0, 0, y, 0))[0] for y in (0.001, -0.001))
     assert (above, below) == pytest.approx((-0.001, 0.001), rel=1e-3)
     beyond = gaps(made(point(ARCH)), (0, 0.05, 0.0075, 0), (0, 1, 0, 0), (0, 0, 0, 0))

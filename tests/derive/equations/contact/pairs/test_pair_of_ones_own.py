@@ -129,22 +129,13 @@ def test_a_pair_of_ones_own_offers_its_geometry_to_laws(kinds):
     assert constants["touch_K"] == pytest.approx(4 / 3 * E_eff * RADIUS.si**0.5, rel=1e-12)
 
 
-def test_a_gap_that_is_no_distance_is_found_at_random_states(kinds):
+def test_pairs_of_ones_own_that_do_not_fit_are_refused(kinds):
     with pytest.raises(hd.InputError, match=r"pair touch, gap: found a rate of .* where the bodies approach at"):
         hd.generate(scene(kinds["Steep"]("touch", *PLACES, hd.Y, RADIUS)))
-
-
-def test_a_journal_that_cannot_be_centred_is_refused(kinds):
     with pytest.raises(hd.InputError, match="pair touch: found a journal without an eccentricity"):
         hd.generate(scene(kinds["Sleeve"]("touch", *PLACES, hd.Y, RADIUS)))
-
-
-def test_a_direction_of_ones_own_is_checked(kinds):
     with pytest.raises(hd.InputError, match="pair touch, up: found 3"):
         scene(kinds["Dome"]("touch", *PLACES, 3, RADIUS))
-
-
-def test_a_pair_without_equations_is_refused(kinds):
     with pytest.raises(hd.InputError, match="pair touch: found Mute, a kind of pair without equations"):
         hd.generate(scene(kinds["Mute"]("touch", *PLACES)))
     assert kinds["Mute"]("touch", *PLACES).form == "point"
