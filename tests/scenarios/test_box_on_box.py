@@ -121,9 +121,8 @@ def test_forces_do_the_work_of_the_penetration(boxes):
             touched += 1
             f, _, normal, *_ = model.evaluate(f"contact_hit_{k + 1}", 0.0, q, u, np.zeros(24), np.zeros(0), c)
             f, force = np.array(f).ravel(), float(normal[0])
-            depth_rate = -rates[k] * (
-                2 * r / (2 * r - force / K.si) if k < 8 else 1
-            )  # of the distance, not of its square
+            distance = 2 * r / (2 * r - force / K.si) if k < 8 else 1  # not its square
+            depth_rate = -rates[k] * distance
             assert f @ u == pytest.approx(-force * depth_rate, rel=1e-8)
             np.testing.assert_allclose(f[:3], -f[6:9], rtol=1e-12)
             turns = [Rotation.from_quat(part, scalar_first=True) for part in (q[3:7], q[10:14])]
@@ -136,17 +135,11 @@ def test_forces_do_the_work_of_the_penetration(boxes):
 # -- motion in the plane -----------------------------------------------------------------------------------------------
 
 
-@pytest.fixture(scope="module")
-def oblique():
-    position = at(A__x=0.03, A__y=h + 12e-3, A__angle=0.2)
-    return [
-        pair(position=position, speed={"A.y": -1.0, "A.x": -0.3, "B.angle": 2.0}, swap=swap) for swap in (False, True)
-    ]
-
-
-def test_momentum_and_energy_stay_and_swapped_boxes_move_alike(oblique):
+def test_momentum_and_energy_stay_and_swapped_boxes_move_alike():
     """Rectangles that hit each other obliquely, without loss; with the first as the second the motion is the same."""
-    runs = [simulate(load(scene), duration="30 ms", accuracy=1e-9) for scene in oblique]
+    position, speed = at(A__x=0.03, A__y=h + 12e-3, A__angle=0.2), {"A.y": -1.0, "A.x": -0.3, "B.angle": 2.0}
+    models = [load(pair(position=position, speed=speed, swap=swap)) for swap in (False, True)]
+    runs = [simulate(model, duration="30 ms", accuracy=1e-9) for model in models]
     assert all(run.outcome.finished and run.impacts for run in runs)
     one, two = (run.engine.final for run in runs)
     for name in ("A.x", "A.y", "A.angle", "B.x", "B.y", "B.angle"):
@@ -172,10 +165,7 @@ def test_corners_of_both_carry_what_hangs_over():
     """The lower left corner of the upper one and the upper right corner of the lower: forces in the ratio of their levers."""
     run = held(0.03)
     forces = run.at(np.array([0.3]))
-    left, right = (
-        forces["hit_1.normal_force"] + forces["hit_2.normal_force"],
-        forces["hit_3.normal_force"] + forces["hit_4.normal_force"],
-    )
+    left, right = (forces[f"hit_{k}.normal_force"] + forces[f"hit_{k + 1}.normal_force"] for k in (1, 3))
     reach = w / 2 - r
     assert left[0] == pytest.approx(MASS * G * (reach - 0.03) / (2 * reach - 0.03), rel=1e-3)
     assert right[0] == pytest.approx(MASS * G * reach / (2 * reach - 0.03), rel=1e-3)
@@ -266,13 +256,11 @@ def test_faults_of_boxes_are_reported_at_once():
 
 
 def test_rectangles_stay_in_their_plane():
+    body, tilted = (
+        hd.Body.box("a", W, H, D, density=RHO),
+        hd.GROUND.at(0, 0, 0).turned(hd.X, hd.Parameter("q", "deg", 30)),
+    )
+    touch = hd.BoxOnBox("hit", body.at(0, 0, 0), W, H, tilted, W, H, R)
+    mechanism = hd.Mechanism("bad", (hd.Planar("A", hd.GROUND, body, normal=hd.Z),), (touch,))
     with pytest.raises(hd.InputError, match="motion out of the plane of x and y"):
-        body = hd.Body.box("a", W, H, D, density=RHO)
-        touch = hd.BoxOnBox(
-            "hit", body.at(0, 0, 0), W, H, hd.GROUND.at(0, 0, 0).turned(hd.X, hd.Parameter("q", "deg", 30)), W, H, R
-        )
-        load(
-            hd.Scene(
-                hd.Mechanism("bad", (hd.Planar("A", hd.GROUND, body, normal=hd.Z),), (touch,)), (hd.Contact("hit", hd.laws.power(K, 1)),), SIZES,
-            )
-        )  # fmt: skip
+        load(hd.Scene(mechanism, (hd.Contact("hit", hd.laws.power(K, 1)),), SIZES))

@@ -19,26 +19,6 @@ from reference.scenes import guarded_crank
 BUILT_IN = built_in_scenes()
 
 
-def double_pendulum():
-    g, one, two = (
-        hd.Parameter("gravity", "m/s^2", 9.81), hd.Parameter("length_1", "m", 0.7), hd.Parameter("length_2", "m", 0.4),
-    )  # fmt: skip
-    upper = hd.Body(
-        "upper", hd.Parameter("mass_1", "kg", 1.3), hd.Parameter("inertia_1", "kg m^2", 0.02), centre=(one, 0, 0)
-    )
-    lower = hd.Body(
-        "lower", hd.Parameter("mass_2", "kg", 0.6), hd.Parameter("inertia_2", "kg m^2", 0.01), centre=(two, 0, 0)
-    )
-    joints = (
-        hd.Revolute("hip", hd.GROUND, upper, axis=hd.Z),
-        hd.Revolute("knee", upper.at(one, 0, 0), lower, axis=hd.Z),
-    )
-    scales = hd.Scales(one, hd.Parameter("speed", "m/s", 1), arm=one)
-    return hd.Scene(
-        hd.Mechanism("double_pendulum", joints), (hd.Gravity("gravity", g, -hd.Y), hd.EnergyLedger()), scales
-    )
-
-
 def spatial_arm():
     """Axes that are not parallel: nothing merges, and the results are long."""
     a, g = hd.Parameter("arm", "m", 0.3), hd.Parameter("gravity", "m/s^2", 9.81)
@@ -116,7 +96,7 @@ def in_ci(names):
 
 
 SCENES = {name: (lambda name=name: scene_from(name)) for name in BUILT_IN} | {
-    "double_pendulum": double_pendulum, "spatial_arm": spatial_arm, "two_pairs": lambda: guarded_crank(1), "tumbling": tumbling, "forced": forced,
+    "spatial_arm": spatial_arm, "two_pairs": lambda: guarded_crank(1), "tumbling": tumbling, "forced": forced,
     "coulomb": lambda: with_friction("coulomb"), "lugre": lambda: with_friction("lugre"),
 }  # fmt: skip
 

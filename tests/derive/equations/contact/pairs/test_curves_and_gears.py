@@ -168,6 +168,14 @@ def meshing(*effects, start=None, sharing=False, damping=None):
     return hd.Scene(hd.Mechanism("gears", joints, (mesh,)), effects, scales, start or hd.Start())
 
 
+BASE = np.array([0.030, 0.045]) * np.cos(np.radians(20))
+WORKING = np.arccos(sum(BASE) / 0.0752)
+PATH = sum(np.sqrt(tip**2 - base**2) for tip, base in zip((0.033, 0.048), BASE, strict=True)) - 0.0752 * np.sin(WORKING)
+RATIO = PATH / (np.pi / 10 * BASE[0])  # of contact: the path of contact over the base pitch
+LEAD = 2 * (np.tan(np.radians(20)) - np.radians(20) - np.tan(WORKING) + WORKING)  # of a tooth's angles
+HALF_BACKLASH = (2 * np.pi / 20 - sum((np.pi / z - 0.1 / (1.5 * z) + LEAD) * z / 20 for z in (20, 30))) * BASE[0] / 2
+
+
 @pytest.fixture(scope="module")
 def gears():
     return Derived(meshing())
@@ -175,48 +183,29 @@ def gears():
 
 def test_gaps_of_involutes_are_lengths_of_the_line_of_action(gears):
     """Right round: both add up to the normal backlash in closed form; each changes by r_b1 w_1 + r_b2 w_2, at no acceleration."""
-    base = np.array([0.030, 0.045]) * np.cos(np.radians(20))
-    working = np.arccos(sum(base) / 0.0752)
-
-    def thickness(teeth):  # of a tooth on the working circle, an angle
-        return np.pi / teeth - 0.1 / (1.5 * teeth) + 2 * (involute(np.radians(20)) - involute(working))
-
-    def involute(angle):
-        return np.tan(angle) - angle
-
-    backlash = (2 * np.pi / 20 - thickness(20) - thickness(30) * 30 / 20) * base[0]
     random = np.random.default_rng(5)
     for angle in np.linspace(-9, 9, 41):
         w = random.uniform(-10, 10, 2)
-        off = random.uniform(-1, 1) * 0.45 * backlash / base[1]
+        off = random.uniform(-1, 1) * 0.9 * HALF_BACKLASH / BASE[1]
         q = np.array([angle, np.pi + np.pi / 30 - angle * 20 / 30 + off])
         G, dG = gears.call("gaps", q=q, u=w)
-        assert pytest.approx((backlash / 2 - off * base[1], backlash / 2 + off * base[1]), abs=1e-12) == tuple(G)
-        assert dG == pytest.approx((-base @ w, base @ w), rel=1e-9)
-        assert gears.call("gap_accelerations", q=q, u=w, a=np.zeros(2)) == pytest.approx(
-            [0, 0], abs=1e-9 * (w @ w) * 0.03
-        )
+        assert pytest.approx((HALF_BACKLASH - off * BASE[1], HALF_BACKLASH + off * BASE[1]), abs=1e-12) == tuple(G)
+        assert dG == pytest.approx((-BASE @ w, BASE @ w), rel=1e-9)
+        second = gears.call("gap_accelerations", q=q, u=w, a=np.zeros(2))
+        assert second == pytest.approx([0, 0], abs=1e-9 * (w @ w) * 0.03)
 
 
 def test_the_points_of_contact_are_those_of_involutes(gears):
     """On the flanks rolled off by what a gear has turned: base radius times roll angle is the way along the line of action."""
-    base, names = np.array([0.030, 0.045]) * np.cos(np.radians(20)), [name for name, _ in gears.OUTPUTS]
+    names = [name for name, _ in gears.OUTPUTS]
     rolls = [np.sqrt(((1 + 2 / z) / np.cos(np.radians(20))) ** 2 - 1) for z in (20, 30)]
-    length = np.sqrt(0.0752**2 - sum(base) ** 2)  # between the points where the line of action touches the base circles
+    length = np.sqrt(0.0752**2 - sum(BASE) ** 2)  # between the points where the line of action touches the base circles
     for angle in np.linspace(0, 0.3, 7):
         q = np.array([angle, np.pi + np.pi / 30 - angle * 20 / 30])
         actual = dict(zip(names, gears.call("outputs", q=q, u=np.zeros(2), a=np.zeros(2)), strict=False))
         s = [actual[f"mesh_2.{which}_parameter"] % 1 for which in ("first", "second")]
-        ways = [r * roll * (0.04 + 0.96 * part) for r, roll, part in zip(base, rolls, s, strict=True)]
+        ways = [r * roll * (0.04 + 0.96 * part) for r, roll, part in zip(BASE, rolls, s, strict=True)]
         assert sum(ways) + actual["mesh_2.gap"] == pytest.approx(length, rel=1e-12)
-
-
-BASE = np.array([0.030, 0.045]) * np.cos(np.radians(20))
-WORKING = np.arccos(sum(BASE) / 0.0752)
-PATH = sum(np.sqrt(tip**2 - base**2) for tip, base in zip((0.033, 0.048), BASE, strict=True)) - 0.0752 * np.sin(WORKING)
-RATIO = PATH / (np.pi / 10 * BASE[0])  # of contact: the path of contact over the base pitch
-LEAD = 2 * (np.tan(np.radians(20)) - np.radians(20) - np.tan(WORKING) + WORKING)  # of a tooth's angles
-HALF_BACKLASH = (2 * np.pi / 20 - sum((np.pi / z - 0.1 / (1.5 * z) + LEAD) * z / 20 for z in (20, 30))) * BASE[0] / 2
 
 
 def test_two_pairs_of_teeth_touch_for_the_part_of_the_pitch_that_the_contact_ratio_gives():
