@@ -181,18 +181,6 @@ def test_any_summary_and_source_make_a_module_that_holds_them():
     assert in_contact(derived) == pytest.approx(in_contact(Derived(drop())))
 
 
-def test_names_of_shared_sub_expressions_do_not_overwrite_parameters():
-    """The slider-crank names sub-expressions in words, else x1, x2; parameters of these names keep their values."""
-    rename = {"crank_radius": "clearance_squared", "rod_length": "x1", "bush_radius": "x2"}
-    text = hd.generate(slider_crank)
-    assert "    clearance_squared = clearance*clearance" in text
-    renamed = _renamed(slider_crank, rename)
-    a, b = Derived(slider_crank), Derived(renamed)
-    at = {"t": 1e-3, "q": [0.3, 0.16], "u": [-500.0, 3.0], "m": [2.0]}
-    for ours, theirs in zip(a.call("contact_slider_pin", **at), b.call("contact_slider_pin", **at), strict=True):
-        assert ours == pytest.approx(theirs, rel=1e-12)
-
-
 def test_parameters_may_have_every_name_that_the_text_has_for_itself():
     """All functions of a module with a drive, loops, a contact, memory and a ledger: the same values at any arguments."""
     scene = slider_crank.with_coordinates("absolute")
