@@ -12,7 +12,7 @@ import hertzwerk.derive as hd
 from hertzwerk.derive.audit.audit import advice_findings
 from hertzwerk.derive.audit.contact_forms import advice, fitting_laws, form_of
 from hertzwerk.derive.equations.derivation import audit_scene
-from hertzwerk.derive.laws import LAWS, hertz_point, power
+from hertzwerk.derive.laws import LAWS, power
 from hertzwerk.derive.laws.law import FilmLaw, StiffnessLaw, d
 from hertzwerk.derive.scenes import NAMES
 from hertzwerk.derive.scenes.slider_crank import scene as crank
@@ -120,20 +120,6 @@ def test_a_cylinder_meets_a_plane_by_laws_of_line_contact(name):
     K = 3.141592653589793 / 4 * E / (2 * (1 - nu**2)) * L
     assert impact.duration == pytest.approx(3.141592653589793 * (m / K) ** 0.5, rel=1e-6)
     assert impact.peak_penetration == pytest.approx(v * (m / K) ** 0.5, rel=1e-6)
-
-
-def test_hertz_on_a_lying_cylinder_is_advised_too():
-    roller, size = hd.Body("roller", hd.Parameter("mass", "kg", 1)), hd.Parameter("size", "m", 1)
-    pair = hd.CylinderOnPlane("touch", roller.at(0, 0, 0), hd.X, size / 10, size / 5, hd.GROUND.at(0, 0, 0), hd.Y)
-    scene = hd.Scene(
-        hd.Mechanism("roller", (hd.Prismatic("way", hd.GROUND, roller, hd.Y),), (pair,)), (hd.Contact("touch", hertz_point(steel, steel)),),
-        hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1)), hd.Start(position={"way": size}),
-    )  # fmt: skip
-    (said,) = advice(scene)
-    assert said.endswith("`hertzwerk laws --form line` lists others")
-    assert tuple(fitting_laws("stiffness", pair, scene.geometry("touch"))) == (
-        *("goldsmith_m3", "palmgren_si", "popov_line", "hertz_half_width", "wang_liu_external", "wang_liu_half_width"),
-    )
 
 
 # -- the run and the command line ----------------------------------------------------------------------------------------

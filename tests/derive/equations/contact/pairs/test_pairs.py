@@ -352,31 +352,3 @@ def test_laws_ask_pairs_for_the_geometry_they_need():
     given = hd.CustomPair("touch", HERE, THERE, GAP, (0, 1, 0), FOOT)
     assert "without R_eff" in faults(given, effects=(hertz,))
     hd.derive(scene(hd.CustomPair("touch", HERE, THERE, GAP, (0, 1, 0), FOOT, radius=R), effects=(hertz,)))
-
-
-def test_a_pin_far_along_its_bush_is_no_farther_off():
-    """(c^2 - x^2 - y^2)/(2 c), its rate and its normal force, wherever along the axis; as a ball in a socket it would be."""
-    clearance, stiffness = 1e-3, 1e6
-    pin, room = (
-        hd.Body("pin", hd.Parameter("mass", "kg", 1), (hd.Parameter("J", "kg m^2", 1),) * 3),
-        hd.Parameter("room", "m", clearance),
-    )
-    pair = hd.PinInBush("joint", pin.at(0, 0, 0), hd.GROUND.at(0, 0, 0), hd.Z, hd.Parameter("bush", "m", 0.01), room)
-    derived = Derived(
-        hd.Scene(
-            hd.Mechanism("sliding", (hd.Free("flight", hd.GROUND, pin),), (pair,)),
-            (hd.Contact("joint", power(hd.Parameter("K", "N/m", stiffness), 1)), hd.EnergyLedger()),
-            hd.Scales(room, hd.Parameter("pace", "m/s", 1), room),
-        )
-    )
-    x, y, vx, vy = 0.9e-3, -1.2e-3, 0.3, 0.7
-    depth = np.hypot(x, y) - clearance
-    push = -stiffness * depth * np.array([x, y]) / np.hypot(x, y)
-    for z, vz in ((0.0, 0.0), (0.05, 4.0)):
-        q, u = np.array([x, y, z, 1, 0, 0, 0]), np.array([vx, vy, vz, 0, 0, 0])
-        gap, rate = derived.call("gaps", q=q, u=u)
-        assert gap == pytest.approx((clearance**2 - x**2 - y**2) / (2 * clearance), rel=1e-12)
-        assert rate == pytest.approx(-(x * vx + y * vy) / clearance, rel=1e-12)
-        force, _, normal, *_ = derived.call("contact_joint", q=q, u=u, m=np.zeros(0))
-        assert normal == pytest.approx(stiffness * depth, rel=1e-9)
-        assert force[:3] == pytest.approx([*push, 0], rel=1e-9, abs=1e-9)
