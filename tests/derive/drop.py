@@ -1,5 +1,7 @@
 """A ball that falls on a floor: a sound scene, of which tests replace a part to make it faulty; and the faults expected then."""
 
+from dataclasses import replace
+
 import pytest
 
 import hertzwerk.derive as hd
@@ -19,6 +21,13 @@ SCALES = hd.Scales(length=RADIUS, speed=hd.Parameter("pace", "m/s", 1), arm=RADI
 def drop(joints=(FALL,), pairs=(FLOOR,), effects=EFFECTS, scales=SCALES, start=None, name="drop"):
     """A sound scene unless something of it is replaced."""
     return hd.Scene(hd.Mechanism(name, joints, pairs), effects, scales, start or hd.Start())
+
+
+def heavy(mass, **body):
+    """The scene with another mass, or another body altogether."""
+    ball = hd.Body("ball", mass=mass, **body)
+    floor = replace(FLOOR, sphere=ball.at(0, 0, 0))
+    return drop(joints=(replace(FALL, child=ball),), pairs=(floor,))
 
 
 def refused(declare, where, found, expected):

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 import sympy as sp
-from drop import BALL, BOUNCE, FALL, FLOOR, GRAVITY, RADIUS, SCALES, STIFFNESS, drop, refused
+from drop import BALL, BOUNCE, FALL, FLOOR, GRAVITY, RADIUS, SCALES, STIFFNESS, drop, heavy, refused
 from each import each
 
 import hertzwerk.derive as hd
@@ -13,13 +13,6 @@ from hertzwerk.derive.laws import flores, hunt_crossley, lankarani_nikravesh, po
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 
 STRANGER = hd.Body("stranger", mass=hd.Parameter("stranger_mass", "kg", 1.0), inertia=hd.Parameter("J", "kg m^2", 1.0))
-
-
-def heavy(mass, **body):
-    """The scene with another mass, or another body altogether."""
-    ball = hd.Body("ball", mass=mass, **body)
-    floor = hd.SphereOnPlane("floor", ball.at(0, 0, 0), RADIUS, hd.GROUND.at(0, 0, 0), normal=hd.Y)
-    return drop(joints=(hd.Prismatic("fall", hd.GROUND, ball, axis=hd.Y),), pairs=(floor,))
 
 
 def turning(inertia, centre=(0, 0, 0)):

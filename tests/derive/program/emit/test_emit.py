@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 import sympy as sp
 from derived import Derived
+from drop import FLOOR, GRAVITY, SCALES, STIFFNESS, drop, heavy
 from each import each
 from hypothesis import Phase, assume, given, settings
 from hypothesis import strategies as st
 
 import hertzwerk.derive as hd
 from hertzwerk.derive.expressions.algebra.functions import Where
-from hertzwerk.derive.laws import flores, power
+from hertzwerk.derive.laws import flores
 from hertzwerk.derive.laws.formulas.damping import e
 from hertzwerk.derive.laws.law import BoundLaw
 from hertzwerk.derive.program.emit.cost import operations
@@ -153,29 +154,13 @@ def test_a_node_without_a_rule_is_an_error(node):
 HOSTILE = 'a "quoted" """summary""" with C:\\new\\x, {braces}, %s and a\nline end'
 
 
-def drop(summary="", mass="mass", stiffness="stiffness", radius="radius", default=2.0, damping=None):
-    """A ball on a floor."""
-    ball = hd.Body("ball", hd.Parameter(mass, "kg", default))
-    size = hd.Parameter(radius, "m", 0.1)
-    floor = hd.SphereOnPlane("floor", ball.at(0, 0, 0), size, hd.GROUND.at(0, 0, 0), hd.Y)
-    contact = hd.Contact(
-        "floor", power(hd.Parameter(stiffness, "N/m^1.5", 1e6), 1.5), damping or flores(hd.Parameter("restitution", "1", 0.8)),
-    )  # fmt: skip
-    return hd.Scene(
-        hd.Mechanism("drop", (hd.Prismatic("fall", hd.GROUND, ball, hd.Y),), (floor,)),
-        (hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), -hd.Y), contact, hd.EnergyLedger()),
-        hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1)),
-        summary=summary,
-    )  # fmt: skip
-
-
 def in_contact(derived):
     """Forces at one state in contact."""
     return np.concatenate(derived.call("contact_floor", q=[0.09], u=[-1.0], m=[3.0]))
 
 
 def test_any_summary_and_source_make_a_module_that_holds_them():
-    derived = Derived(text=hd.generate(drop(HOSTILE), source=HOSTILE))
+    derived = Derived(text=hd.generate(drop().named("drop", HOSTILE), source=HOSTILE))
     assert derived.SUMMARY == HOSTILE
     assert derived.SOURCE == HOSTILE
     assert in_contact(derived) == pytest.approx(in_contact(Derived(drop())))
@@ -229,14 +214,17 @@ def _renamed(scene, names):
 
 
 def test_a_numpy_default_is_written_as_a_number():
-    text = hd.generate(drop(default=np.float64(0.1)))
+    text = hd.generate(heavy(hd.Parameter("mass", "kg", np.float64(0.1))))
     assert '("mass", "kg", 0.1,' in text
 
 
 def test_long_returns_are_wrapped_and_still_python():
     """Names of many lengths move the line breaks through every column."""
     for length in range(1, 60, 3):
-        text = hd.generate(drop(radius="r" * length))
+        radius = hd.Parameter("r" * length, "m", 0.1)
+        text = hd.generate(
+            drop(pairs=(replace(FLOOR, radius=radius),), scales=replace(SCALES, length=radius, arm=radius))
+        )
         ast.parse(text)
         assert max(map(len, text.split("\n\n\ndef ", 1)[1].splitlines())) < 200
 
@@ -245,7 +233,8 @@ def test_long_returns_are_wrapped_and_still_python():
 def test_the_lower_branch_of_lamberts_w(scale):
     """A damping factor -W_-1(-e/exp(1)) comes out as mpmath has it; near the branch point only half the digits exist."""
     law = replace(flores, name="lambert", factor=-sp.LambertW(-e * sp.exp(-1), -1))
-    derived = Derived(drop(damping=law(hd.Parameter("restitution", "1", scale))))
+    contact = hd.Contact("floor", STIFFNESS, law(hd.Parameter("restitution", "1", scale)))
+    derived = Derived(drop(effects=(GRAVITY, contact, hd.EnergyLedger())))
     elastic = 1e6 * 0.01**1.5
     factor = (in_contact(derived)[2] / elastic - 1) * 3.0 / 1.0  # F (1 + h v/v0), approach 3 m/s, rate 1 m/s
     with mpmath.workdps(40):
