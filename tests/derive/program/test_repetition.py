@@ -205,7 +205,7 @@ def test_names_are_identifiers_whatever_parts_and_kinds_are_called(role):
     assert values([one], [actual], GIVEN) == plain
 
 
-def test_what_saves_nothing_and_what_differs_stays_written_out():
+def test_repetitions_that_save_nothing_or_differ_stay_written_out():
     one = rows("a b c d", "b c d e")
     assert shared_and_same(one) == [] and len(one.steps) == 12
     one = rows("a b c d", "b c d e", "c d e f", "d e f g")
