@@ -241,5 +241,4 @@ def kernel(matrix: Array) -> Array:
         return np.eye(matrix.shape[1])
     _, sizes, ways = np.linalg.svd(matrix)
     rank = int(np.sum(sizes > RANK * max(float(sizes[0]), 1e-300))) if len(sizes) else 0
-    basis: Array = ways[rank:].T
-    return basis
+    return ways[rank:].T

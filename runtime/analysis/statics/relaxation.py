@@ -256,8 +256,7 @@ def _solved(matrix: Array, right: Array) -> Array | None:
     rows = _sizes(np.abs(matrix).max(axis=1, initial=0.0))
     columns = _sizes(np.abs(matrix / rows[:, None]).max(axis=0, initial=0.0))
     scaled = matrix / rows[:, None] / columns
-    solution: Array = np.linalg.lstsq(scaled, right / rows, rcond=1e-13)[0] / columns
-    return solution
+    return np.linalg.lstsq(scaled, right / rows, rcond=1e-13)[0] / columns
 
 
 def _sizes(largest: Array) -> Array:

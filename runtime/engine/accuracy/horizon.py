@@ -114,8 +114,7 @@ def growth_law(t: Array, growth: Array) -> Growth:
 def _within(edges: Array) -> Array:
     """Return times (intervals, samples) within intervals."""
     parts = (np.arange(SAMPLES) + 0.5) / SAMPLES
-    times: Array = edges[:-1, None] + np.diff(edges)[:, None] * parts
-    return times
+    return edges[:-1, None] + np.diff(edges)[:, None] * parts
 
 
 def _law(edges: Array, steps: Array) -> Growth:

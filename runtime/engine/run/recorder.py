@@ -251,8 +251,7 @@ class _Within:
 def _evenly(before: int, count: int) -> np.ndarray:
     """Return scores of further things, the largest those of every second, fourth, ... of all."""
     numbers = before + 1 + np.arange(count)
-    scores: np.ndarray = numbers & -numbers  # the power of 2 that a number has as a factor
-    return scores
+    return numbers & -numbers  # the power of 2 that a number has as a factor
 
 
 def _turns(block: History, begins: np.ndarray, pace: float) -> tuple[np.ndarray, np.ndarray]:

@@ -194,8 +194,7 @@ class _Renewal:
         mixed = r @ self._mixed
         size = np.linalg.norm(mixed)
         self._mixed, self._log = mixed / size, self._log + math.log(size)
-        renewed: np.ndarray = np.linalg.solve(r.T, np.column_stack([scaled.T * self._scales, last[:, ny:]]))
-        return renewed
+        return np.linalg.solve(r.T, np.column_stack([scaled.T * self._scales, last[:, ny:]]))
 
 
 def _of(t: np.ndarray, renewal: _Renewal, count: int, dimension: int, until: float, reason: str) -> Lyapunov:

@@ -85,8 +85,7 @@ class OutputDerivatives:
             return self._integral(f"{before}.normal_force", lambda h: h, np.ones_like)
         reducer = _REDUCERS.get(last)
         if reducer is not None and before in units_of(model, None):
-            reduced: np.ndarray = reducer(self, before)
-            return reduced
+            return reducer(self, before)
         raise NoDerivativeError(without_derivative(output) or OWN)
 
     def _at(self, time: float, history: str) -> np.ndarray:
@@ -155,8 +154,7 @@ class OutputDerivatives:
 
     def _mean(self, name: str) -> np.ndarray:
         self._within_horizon()
-        derivatives: np.ndarray = self._integral(name, lambda h: h, np.ones_like) / self._time
-        return derivatives
+        return self._integral(name, lambda h: h, np.ones_like) / self._time
 
     def _norm(self, name: str, order: int) -> np.ndarray:
         self._within_horizon()
@@ -164,8 +162,7 @@ class OutputDerivatives:
         if value == 0:
             raise NoDerivativeError("it is zero throughout, where a root has no derivative")
         by = self._integral(name, lambda h: (h / value) ** order, lambda h: order * (h / value) ** (order - 1) / value)
-        derivatives: np.ndarray = value * by / (order * self._time)
-        return derivatives
+        return value * by / (order * self._time)
 
     @property
     def _time(self) -> float:

@@ -289,10 +289,7 @@ def _rates_inside(history: History, rows: np.ndarray, by_gap: np.ndarray) -> np.
     )
     change, before = third - second, second - first
     curved = change - before
-    rates: np.ndarray = third - np.where(
-        np.abs(change) < np.abs(before), change**2 / np.where(curved == 0, 1, curved), 0
-    )
-    return rates
+    return third - np.where(np.abs(change) < np.abs(before), change**2 / np.where(curved == 0, 1, curved), 0)
 
 
 def _moved(rows: np.ndarray, times: np.ndarray, history: History) -> np.ndarray:
@@ -304,8 +301,7 @@ def _moved(rows: np.ndarray, times: np.ndarray, history: History) -> np.ndarray:
         moved[:, layout["y"]] += longest * rows[:, layout["dy"]]
     parts = (moved[:, layout[part]] for part in PARTS)
     pieces = [rows[:, layout["pieces"]]] if history.model.inputs else []
-    rates: np.ndarray = _rates(history.model)(history.controls[: history.model.nc], *parts, *pieces)[0]
-    return rates
+    return _rates(history.model)(history.controls[: history.model.nc], *parts, *pieces)[0]
 
 
 @per_model

@@ -244,8 +244,7 @@ class Sensitivities:
             rows = np.flatnonzero(touching & ~np.concatenate([[False], touching[:-1]]))
             onsets += [(int(row), pair) for row in rows]
         of = self._peaks if quantity in PEAKS else self._onset
-        changes: np.ndarray = of(quantity, *np.array(sorted(onsets), dtype=int).reshape(-1, 2).T)
-        return changes
+        return of(quantity, *np.array(sorted(onsets), dtype=int).reshape(-1, 2).T)
 
     # -- how it is found ---------------------------------------------------------------------------------------------
 
@@ -265,8 +264,7 @@ class Sensitivities:
             )
         rows = history.later(history.rows[index], h)
         at = tangent(Readout(name), history, rows, self._directions)
-        changes: np.ndarray = at.along(after[:, :ny], after[:, ny:])[:, 0]
-        return changes
+        return at.along(after[:, :ny], after[:, ny:])[:, 0]
 
     def _onset(self, quantity: str, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
         """Return the changes (n, P) of times or approach speeds of onsets before rows of the run."""

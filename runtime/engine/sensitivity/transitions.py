@@ -101,8 +101,7 @@ def _distances(least: float, most: float, head: float) -> np.ndarray:
     if first >= most or not np.isfinite(most):
         return np.zeros(0)
     count = int(np.ceil(np.log(most / first) / np.log(GROWTH)))
-    distances: np.ndarray = most * (first / most) ** (np.arange(count, 0, -1) / count)
-    return distances
+    return most * (first / most) ** (np.arange(count, 0, -1) / count)
 
 
 def _heads(history: History, events: np.ndarray) -> np.ndarray:
@@ -159,8 +158,7 @@ def _collocated(history: History, rows: np.ndarray, places: np.ndarray, directio
             system[:, i, :, j, :] = (i == j) * np.eye(size) - A[i, j] * by_core[i][:, core]
     right = sources[:, :, core].swapaxes(0, 1).reshape(n, NODES * size, -1)
     slopes = np.linalg.solve(system.reshape(n, NODES * size, -1), right).reshape(n, NODES, size, -1)
-    grown: np.ndarray = np.tensordot(B, sources + by_core @ np.tensordot(A, slopes, axes=(1, 1)), axes=1)
-    return grown
+    return np.tensordot(B, sources + by_core @ np.tensordot(A, slopes, axes=(1, 1)), axes=1)
 
 
 def _by_powers(history: History, rows: np.ndarray, places: np.ndarray, directions: Directions) -> np.ndarray:

@@ -112,8 +112,7 @@ class History(Histories):
     @property
     def t(self) -> np.ndarray:
         """Times [s], shape (rows,)."""
-        times: np.ndarray = self["t"] if self.integrator is None else self.part("t")[:, 0]
-        return times
+        return self["t"] if self.integrator is None else self.part("t")[:, 0]
 
     def __getitem__(self, name: str | tuple[str, str]) -> np.ndarray:
         if isinstance(name, tuple) and list(map(type, name)) == [str, str]:
@@ -137,8 +136,7 @@ class History(Histories):
         """Columns of a part of the rows, shape (rows, size); of pairs those of all."""
         if self.near is not None:
             return self.near.part(name)
-        part: np.ndarray = self.rows[:, self.columns(name)]
-        return part
+        return self.rows[:, self.columns(name)]
 
     @cached_property
     def near(self) -> NearRows | None:
@@ -152,22 +150,19 @@ class History(Histories):
         """Return the column of a pair in a part that has one for each, shape (rows,)."""
         if self.near is not None:
             return self.near.column(name, pair)
-        column: np.ndarray = self.rows[:, self.columns(name).start + pair]
-        return column
+        return self.rows[:, self.columns(name).start + pair]
 
     def memory(self, row: int) -> np.ndarray:
         """Return a row of memory, shape (rows,)."""
         if self.near is not None:
             return self.near.memory(row)
-        column: np.ndarray = self.rows[:, self.columns("y").start + self.model.nq + self.model.nu + row]
-        return column
+        return self.rows[:, self.columns("y").start + self.model.nq + self.model.nu + row]
 
     def latch(self, row: int, pair: int) -> np.ndarray:
         """Return a row of what is latched, that is of a pair, shape (rows,)."""
         if self.near is not None:
             return self.near.latch(row, pair)
-        column: np.ndarray = self.rows[:, self.columns("m").start + row]
-        return column
+        return self.rows[:, self.columns("m").start + row]
 
     def places(self, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
         """Return the places of pairs (n,) in the parts of these rows (n, ns) of the engine."""
@@ -179,8 +174,7 @@ class History(Histories):
         """Return the pairs that are not in flight at some row."""
         if self.near is not None:
             return self.near.busy()
-        busy: list[int] = np.flatnonzero(np.any(self.part("mode") != FLIGHT, axis=0)).tolist()
-        return busy
+        return np.flatnonzero(np.any(self.part("mode") != FLIGHT, axis=0)).tolist()
 
     def columns(self, name: str) -> slice:
         """Return the columns of a part in a row."""
@@ -303,8 +297,7 @@ class History(Histories):
         """Return the time derivatives of the outputs, shape (rows, outputs)."""
         model, moving = self.model, slice(0, self.model.nq + self.model.nu)
         tables = (self.part("t"), self.part("y")[:, moving], self.part("dy")[:, moving])
-        rates: np.ndarray = _output_rates(model)(self.controls[: model.nc], *tables, *self.pieces)[0]
-        return rates
+        return _output_rates(model)(self.controls[: model.nc], *tables, *self.pieces)[0]
 
     def touches(self, pair: int) -> np.ndarray:
         """Return whether the surfaces of a pair touch, shape (rows,)."""
@@ -327,8 +320,7 @@ class History(Histories):
     @property
     def _holding(self) -> list[np.ndarray]:
         parts = (self.part(part) for part in ("t", "y", "mode", "m"))
-        forces: list[np.ndarray] = _constraint_forces(self.model)(self.controls[: self.model.nc], *parts, *self.pieces)
-        return forces
+        return _constraint_forces(self.model)(self.controls[: self.model.nc], *parts, *self.pieces)
 
     def at(self, times: np.ndarray, *, compared: bool = False) -> History:
         """Return histories at other times [s] within the run; at an event, the state just after it.

@@ -181,8 +181,7 @@ def _inner_forces(start: History, end: History, h: np.ndarray, j: int) -> np.nda
     """Return a pair's normal forces at NODES of steps h (n, 1) [s] and beside their ends, shape (n, 4)."""
     model = start.model
     parts = [side.part(part) for side in (start, end) for part in ("t", "y", "dy")]
-    forces: np.ndarray = inner(model, j)(start.controls[: model.nc], *parts[:3], *parts[4:], start.part("m"), h)[0]
-    return forces
+    return inner(model, j)(start.controls[: model.nc], *parts[:3], *parts[4:], start.part("m"), h)[0]
 
 
 @per_model

@@ -217,8 +217,7 @@ def _implied(loops: _Loops, q: Array, rank: float = RANK) -> Array:
     count = int(np.sum(values > rank * values[0]))
     if count == len(scaled):  # as nearly always; vectors take ten times as long
         return np.zeros((0, count))
-    ways: Array = np.linalg.svd(scaled)[0][:, count:].T
-    return ways
+    return np.linalg.svd(scaled)[0][:, count:].T
 
 
 class At(NamedTuple):

@@ -99,8 +99,7 @@ def closed_forces(model: EngineModel, bound: BoundParameters, q: Array, u: Array
 
     def second(forces: Array) -> Array:
         a = model.function("accelerations")(0.0, *at, forces, bound.c)[0]
-        rates: Array = np.array(_second_rates(model)(0.0, *at, a, bound.c)).ravel()
-        return rates
+        return np.array(_second_rates(model)(0.0, *at, a, bound.c)).ravel()
 
     own = second(applied.ravel())
     columns = []

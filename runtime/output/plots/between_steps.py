@@ -40,22 +40,17 @@ class BetweenSteps:
         if pair in model.pairs:
             mode = history[f"{pair}.mode"][self._row]
             if part == "normal_force":
-                force: np.ndarray = np.where(mode == CONTACT, np.maximum(self._smooth(name), 0), 0)
-                return force
+                return np.where(mode == CONTACT, np.maximum(self._smooth(name), 0), 0)
             if part == "sliding_velocity":
-                velocity: np.ndarray = np.where(mode == CONTACT, self._smooth(name), 0)
-                return velocity
+                return np.where(mode == CONTACT, self._smooth(name), 0)
             if part == "penetration":
-                depth: np.ndarray = np.where(mode != FLIGHT, np.maximum(-self[f"{pair}.gap"], 0), 0)
-                return depth
+                return np.where(mode != FLIGHT, np.maximum(-self[f"{pair}.gap"], 0), 0)
             inside = [model.outputs[i] for i in model.journals.get(pair, ())]
             if part == "gap" and inside:  # the clearance, which changes slowly or never, less the eccentricity
                 clearance = history[name] + np.sqrt(sum(history[each] ** 2 for each in inside))
-                gap: np.ndarray = self._monotone(clearance) - np.sqrt(sum(self[each] ** 2 for each in inside))
-                return gap
+                return self._monotone(clearance) - np.sqrt(sum(self[each] ** 2 for each in inside))
         if part == "mode" or name in (*model.latches, *(slip for slip, *_ in model.slips)):
-            held: np.ndarray = history[name][self._row]
-            return held
+            return history[name][self._row]
         return self._smooth(name)
 
     def _smooth(self, name: str) -> np.ndarray:
@@ -85,8 +80,7 @@ class BetweenSteps:
         a0 -= 6 * (x1 - x0) - 4 * r0 - 2 * r1  # second rates of the cubic
         a1 -= 2 * r0 + 4 * r1 - 6 * (x1 - x0)
         more = 0.5 * (s * (1 - s)) ** 2 * ((1 - s) * a0 + s * a1)
-        quintic: np.ndarray = cubic + np.where(self._changes, 0, more)
-        return quintic
+        return cubic + np.where(self._changes, 0, more)
 
     def _monotone(self, values: np.ndarray) -> np.ndarray:
         """Interpolate values without rates by cubics that add no extremes."""

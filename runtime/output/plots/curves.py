@@ -178,8 +178,7 @@ def _cubic(knots: Array, values: Array, slopes: Array, t: Array) -> Array:
     h = (knots[row + 1] - knots[row])[:, None]
     s = (t - knots[row])[:, None] / h
     (x0, x1), (r0, r1) = (values[row], values[row + 1]), (slopes[row] * h, slopes[row + 1] * h)
-    interpolated: Array = x0 + s * (r0 + s * (3 * (x1 - x0) - 2 * r0 - r1 + s * (r0 + r1 - 2 * (x1 - x0))))
-    return interpolated
+    return x0 + s * (r0 + s * (3 * (x1 - x0) - 2 * r0 - r1 + s * (r0 + r1 - 2 * (x1 - x0))))
 
 
 def impact_curves(run: EngineSolution, impact: Impact) -> tuple[Array, Array, Array]:

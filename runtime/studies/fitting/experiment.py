@@ -137,8 +137,7 @@ class Observed:
             return -times[self.column].astype(float)
         step = APART * float(np.median(np.diff(self.table.times))) if isinstance(self.table, Measurement) else 0.0
         after, before = (self.predicted(run, offset + d) for d in (step, -step))
-        rates: Array = (after - before) / (2 * step)
-        return rates
+        return (after - before) / (2 * step)
 
     def _by_times(self, inside: NDArray[np.bool_]) -> list[tuple[str, NDArray[np.intp]]]:
         return [

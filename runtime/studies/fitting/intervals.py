@@ -37,16 +37,14 @@ class Identified:
     def covariance(self) -> Array:
         """Covariance of the places on the scale of the search, of what is identified (k, k)."""
         v, s = self.directions[:, self.identified], self.singular_values[self.identified]
-        covariance: Array = (v / s**2) @ v.T
-        return covariance
+        return (v / s**2) @ v.T
 
     @property
     def correlation(self) -> Array:
         """Correlation of the estimates (k, k); nan beside one of an unidentifiable combination."""
         covariance = self.covariance
         sizes = np.array([math.nan if self.concerned(j) else math.sqrt(v) for j, v in enumerate(np.diag(covariance))])
-        correlation: Array = covariance / np.outer(sizes, sizes)
-        return correlation
+        return covariance / np.outer(sizes, sizes)
 
     def concerned(self, j: int) -> bool:
         """Return whether a quantity takes part in an unidentifiable combination."""

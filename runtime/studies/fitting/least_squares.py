@@ -132,8 +132,7 @@ class Search:
 
     def jacobian(self, x: Array, used: NDArray[np.bool_], sigma: Array) -> Array:
         """Return the derivatives of the residuals (used, x)."""
-        jacobian: Array = -(self.forward.slopes(x) / sigma[:, None])[used]
-        return jacobian
+        return -(self.forward.slopes(x) / sigma[:, None])[used]
 
     def least(
         self, x: Array, used: NDArray[np.bool_], sigma: Array, *, fixed: int | None = None, within: float = CONVERGED

@@ -128,8 +128,7 @@ Sight: TypeAlias = _OverTime | _OfImpacts
 def _noisy(samples: Array, channels: Sequence[Channel]) -> Array:
     """Return samples (n, channels) with the noise of their sensors."""
     noise = np.array([channel.noise or 0.0 for channel in channels])
-    noisy: Array = samples + noise * np.random.default_rng(SEED).normal(size=samples.shape)
-    return noisy
+    return samples + noise * np.random.default_rng(SEED).normal(size=samples.shape)
 
 
 @dataclass

@@ -153,8 +153,7 @@ class MomentFitRequest:
     def correlation(self) -> Array:
         """Correlation (m, m) of the measured values, of stated ones none."""
         deviations = np.array([moment.deviation for moment in self.moments])
-        correlation: Array = self.covariance(np.eye(len(deviations))) / np.outer(deviations, deviations)
-        return correlation
+        return self.covariance(np.eye(len(deviations))) / np.outer(deviations, deviations)
 
 
 def read_moment_fit(
@@ -326,8 +325,7 @@ class _Surface:
     def _features(self, x: Array) -> Array:
         z = (x - self.middle) / self.half
         rows, columns = np.triu_indices(len(z))
-        features: Array = np.concatenate([[1.0], z, z[rows] * z[columns]])
-        return features
+        return np.concatenate([[1.0], z, z[rows] * z[columns]])
 
     def at(self, x: Array) -> Array:
         """Return the statistics (moments,) at a place."""
@@ -337,8 +335,7 @@ class _Surface:
     def covariance(self, x: Array) -> Array:
         """Return the covariance (moments, moments) of what the regression says there."""
         f = self._features(x)
-        covariance: Array = self.scatter * float(f @ self._inverse @ f) + self.misfit
-        return covariance
+        return self.scatter * float(f @ self._inverse @ f) + self.misfit
 
     def jacobian(self, x: Array) -> Array:
         """Return the derivatives (moments, k) of the statistics."""
