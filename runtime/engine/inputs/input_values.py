@@ -23,8 +23,7 @@ import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.units import parse_unit
-from hertzwerk.runtime.engine.inputs.sampled_functions import Unresolved, fault_of, sampled
-from hertzwerk.runtime.engine.inputs.time_series import BETWEEN, Samples
+from hertzwerk.runtime.engine.inputs.time_series import BETWEEN, Samples, Unresolved, fault_of, sampled
 from hertzwerk.runtime.engine.model.binding import Value, named_values, read_state
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.signal import DEGREE, Signal, constant

@@ -1,6 +1,6 @@
 """Comparison of a run with measured data, seen through the instrument and aligned.
 
-1. request     columns against histories, instrument, ranges                                comparison_request, instrument
+1. request     columns against histories, instrument, ranges                                comparison_request
 2. run         integrated between its steps and filtered as the instrument does             filtered_run
 3. alignment   offset and drift of the measured time                                        alignment
 4. comparison  trajectories within the horizon, statistics beyond                           residuals, spectra, signal_statistics

@@ -13,7 +13,7 @@ from hertzwerk.runtime.engine.inputs.measurement_csv import Columns, MeasuredTab
 from hertzwerk.runtime.engine.model.binding import Value, flag_faults, named_values, read, read_state
 from hertzwerk.runtime.engine.solution.history import Histories
 from hertzwerk.runtime.studies.comparison.alignment import Range
-from hertzwerk.runtime.studies.comparison.instrument import ORDERS, Instrument
+from hertzwerk.runtime.studies.comparison.filtered_run import ORDERS, Instrument
 from hertzwerk.runtime.system.arrays import Array
 
 HERTZ = {"Hz": 1.0, "kHz": 1e3, "MHz": 1e6, "1/s": 1.0}

@@ -27,8 +27,7 @@ from hertzwerk.runtime.studies.comparison.residuals import residual_of
 from hertzwerk.runtime.studies.fitting.experiment import Observed, read_experiments
 from hertzwerk.runtime.studies.fitting.fit_result import CORRELATED, Fit, FittedSignal, FittedValue, Goodness
 from hertzwerk.runtime.studies.fitting.intervals import identified, intervals
-from hertzwerk.runtime.studies.fitting.least_squares import Estimate, Search
-from hertzwerk.runtime.studies.fitting.predictions import Forward
+from hertzwerk.runtime.studies.fitting.least_squares import Estimate, Forward, Search
 from hertzwerk.runtime.system.arrays import Array
 
 FEWEST = 8  # residuals of a column whose correlation is judged

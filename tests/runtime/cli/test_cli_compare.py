@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from hertzwerk.runtime import load, read_measurement, simulate
-from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun
-from hertzwerk.runtime.studies.comparison.instrument import Instrument
+from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun, Instrument
 
 HOW = ("--bandwidth", "2 kHz", "--offset", "-1..1 ms", "--noise", "force=20 N")
 

@@ -36,8 +36,14 @@ from hertzwerk.runtime.studies.comparison.series_moments import (
     impact_statistics,
     series_statistics,
 )
-from hertzwerk.runtime.studies.fitting.experiment import mapped_columns, read_table
-from hertzwerk.runtime.studies.fitting.impact_numbers import impact_units, of_impacts, onsets, parts_of
+from hertzwerk.runtime.studies.fitting.experiment import (
+    impact_units,
+    mapped_columns,
+    of_impacts,
+    onsets,
+    parts_of,
+    read_table,
+)
 from hertzwerk.runtime.system.arrays import Array
 
 SEED = 0  # of the noise that is added to runs

@@ -9,7 +9,7 @@ from shaken import shaken
 from hertzwerk.derive import InputError, Table
 from hertzwerk.runtime import Samples, simulate
 from hertzwerk.runtime.engine.inputs.input_values import located, signals_of, with_input_values
-from hertzwerk.runtime.engine.inputs.sampled_functions import sampled
+from hertzwerk.runtime.engine.inputs.time_series import sampled
 from hertzwerk.runtime.engine.model.signal import Schedule
 
 TIMES = np.array([0.0, 0.3, 0.5, 2.0])
@@ -72,7 +72,7 @@ def test_a_jump_of_a_function_is_where_it_is():
 def test_a_function_that_cannot_be_resolved_is_refused(monkeypatch):
     rng = np.random.default_rng(0)
     assert "do not resolve" in refused(lambda t: rng.random())
-    monkeypatch.setattr("hertzwerk.runtime.engine.inputs.sampled_functions.MOST", 1000)
+    monkeypatch.setattr("hertzwerk.runtime.engine.inputs.time_series.MOST", 1000)
     assert "as samples" in refused(lambda t: math.sin(1e9 * t))
     assert "ZeroDivisionError at t = 0 s" in refused(lambda t: 1 / t)
     assert "nan at t" in refused(lambda t: math.nan)

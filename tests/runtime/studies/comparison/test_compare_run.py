@@ -8,8 +8,7 @@ import pytest
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Measurement, compare, load, simulate
-from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun
-from hertzwerk.runtime.studies.comparison.instrument import Instrument
+from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun, Instrument
 
 NAMES = ("guide.acceleration", "guide.travel")
 NOISE = {"acceleration": "150 m/s^2", "travel": "0.02 mm"}

@@ -7,8 +7,7 @@ from scipy import signal
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.loading import engine_model
-from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun
-from hertzwerk.runtime.studies.comparison.instrument import Instrument
+from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun, Instrument
 
 NAME = "floor.normal_force"
 

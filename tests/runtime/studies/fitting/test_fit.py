@@ -8,8 +8,8 @@ import pytest
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime import Experiment, MeasuredImpacts, Measurement, fit, read_impacts, simulate
 from hertzwerk.runtime.loading import engine_model
+from hertzwerk.runtime.studies.fitting.experiment import of_impacts
 from hertzwerk.runtime.studies.fitting.fitting import read_fit
-from hertzwerk.runtime.studies.fitting.impact_numbers import of_impacts
 
 TRAVEL = "vertical.travel"
 # 1.6 kg, 1e6 N/m, 10 m/s, Hunt and Crossley: published rebound speeds [m/s], whose integration is right to 1.2e-4 of the third
