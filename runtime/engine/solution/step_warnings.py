@@ -1,4 +1,4 @@
-"""Warnings found in the steps of a run, once they are read: limits of Hertz's theory, of laws, grips, rods and wear.
+"""Warnings found in the steps of a run: limits of Hertz's theory, of laws, grips, rods and wear.
 
 Hertz's is a theory of elastic half-spaces, at rest but for the contact. Each contact of a law that is Hertz's is
 compared with its limits: see `Validity`.
