@@ -321,6 +321,18 @@ def test_an_accelerated_drive_moves_the_others_and_is_loaded_as_in_kanes_method(
         assert rates == pytest.approx(by_hand(t, z)[1 : 1 + len(integrated)], rel=1e-14)
 
 
+@pytest.mark.parametrize("label", DRIVES)
+def test_a_drive_is_where_its_declaration_says(label):
+    tree = CHAINS[0]
+    drive, by_hand = DRIVES[label]
+    derived = Derived(tree.scene().replace(drive0=replace(drive, name="drive0", joint="joint0")))
+    z = np.array([0.7, -0.4])[: len(derived.COORDINATES) - 2]
+    for t in (0.0, 0.1, 0.45, 0.79, 0.81, 1.7):
+        full = np.array([by_hand(t, z)[0], 0.3, -0.8])
+        _, rotations = derived.call("poses", t=t, q=np.concatenate([full[1:], z]))
+        assert rotations[:9] == pytest.approx(tree.pose(0, full)[1].reshape(-1), abs=1e-14)
+
+
 @pytest.mark.parametrize("label", ["ramp", "position", "choice", "speed", "acceleration"])
 def test_the_start_of_what_a_drive_integrates_is_declared(label):
     tree = driven(random_tree("R+Z R-X", 12), 0, 1.0)
