@@ -38,7 +38,7 @@ def made(tmp_path):
     return follow
 
 
-def test_there_are_six_recipes_of_at_most_eight_lines():
+def test_recipes_are_six_of_at_most_eight_lines_and_the_map_has_every_folder():
     assert list(RECIPES) == ["law", "joint", "effect", "scene", "method", "command"]
     for name, text in RECIPES.items():
         doing = re.findall(
@@ -47,9 +47,6 @@ def test_there_are_six_recipes_of_at_most_eight_lines():
         assert len(doing) <= 8, name
         steps = re.findall(r"^(\d+)\. ", text, re.MULTILINE)
         assert steps == [str(i + 1) for i in range(len(steps))] != []
-
-
-def test_the_map_has_every_folder():
     root = Path(__file__).parents[1]
     drawn = PAGE.split("## Map")[1].split("\n## ")[0]
     floors = {path.name for side in ("derive", "runtime") for path in (root / side).iterdir() if path.is_dir()} - {

@@ -102,11 +102,13 @@ def riddle(name):
 
 
 @pytest.mark.parametrize("side", SIDES)
-def test_names_say_what_things_are(side):
+def test_names_parameters_and_locals_say_what_they_are(side):
     files = sorted((ROOT / side).rglob("*.py"))
     assert files
     assert [str(file.relative_to(ROOT)) for file in files if riddle(file.stem)] == []
-    assert [f"{file.relative_to(ROOT)}:{fault}" for file in files for fault in riddles(file.read_text("utf-8"))] == []
+    for file in files:
+        text = file.read_text("utf-8")
+        assert [*riddles(text), *riddles_within(text)] == [], file
 
 
 def riddles_within(text):
@@ -124,15 +126,6 @@ def riddles_within(text):
         elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store) and node not in fields:
             names.add((node.lineno, node.id))
     return [f"{line}: {name}" for line, name in sorted(names) if name in RIDDLES - {"tell"}]
-
-
-@pytest.mark.parametrize("side", SIDES)
-def test_parameters_and_locals_say_what_they_are(side):
-    files = sorted((ROOT / side).rglob("*.py"))
-    assert files
-    assert [
-        f"{file.relative_to(ROOT)}:{fault}" for file in files for fault in riddles_within(file.read_text("utf-8"))
-    ] == []
 
 
 @pytest.mark.parametrize(

@@ -64,7 +64,7 @@ def test_the_table_fits_a_terminal_and_shows_every_invariant(without_a_compiler)
     assert lines[-2].split() == ["passed", "1", "of", "1", "cases"]
 
 
-def test_failing_cases_are_marked_and_give_exit_code_1(monkeypatch, without_a_compiler):
+def test_failing_cases_give_exit_code_1_and_known_failures_a_reason(monkeypatch, without_a_compiler):
     monkeypatch.setitem(TRIES, "exponent_2", dict.fromkeys(TRIES["exponent_2"], 1))
     done = run("--case", "exponent_2", "--method", "dop853")
     assert done.exit_code == 1
@@ -72,9 +72,6 @@ def test_failing_cases_are_marked_and_give_exit_code_1(monkeypatch, without_a_co
     assert len(marked) == 1
     assert marked[0].startswith(invariants.STEPS)
     assert done.stdout.splitlines()[-2].startswith("failed        1 of 1 cases fail: exponent_2")
-
-
-def test_a_known_failure_says_why_and_is_no_failure(without_a_compiler):
     name, method = next((case.name, method) for case in CASES for method, _ in case.failures if method == "dop853")
     done = run("--case", name, "--method", method)
     assert done.exit_code == 0

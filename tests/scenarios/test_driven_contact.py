@@ -116,15 +116,12 @@ def test_two_rotors_that_graze_each_other():
     assert len(run.impacts) == 1 + np.count_nonzero(np.diff(touching.astype(int)) == 1)
 
 
-def test_held_drives_press_with_what_the_law_says():
-    """Statics, at a time within a contact."""
+def test_held_drives_press_and_drives_alone_are_refused():
+    # Statics, at a time within a contact.
     (high, low), *_ = motion(np.array([0.035]))
     rest = equilibrium(load(press(hd.EnergyLedger())), at="35 ms")
     assert rest.contacts["tip"] == pytest.approx(STIFFNESS * (low + r - high)[0] ** 1.5, rel=1e-9)
-
-
-def test_drives_alone_leave_nothing_to_compute():
-    """Without work or contact to read, a scene of drives is an error that says what may be added."""
+    # Without work or contact to read, a scene of drives is an error that says what may be added.
     scene = press()
     with pytest.raises(hd.InputError, match=r"a drive on every joint.*\n.*EnergyLedger\(\), or the Contact"):
         scene.without("tip")

@@ -77,7 +77,7 @@ def test_a_missing_form_raises():
         FilmLaw("own", "own", (), "test", "C", forms=("volume",))
 
 
-def test_a_pair_of_the_users_touches_along_a_line_where_it_has_a_length():
+def test_pairs_of_the_users_touch_by_their_length_which_is_checked():
     places = hd.Body("block", hd.Parameter("mass", "kg", 1)).at(0, 0, 0), hd.GROUND.at(0, 0, 0)
     point = hd.CustomPair("touch", *places, 0, (0, 1, 0), (0, 0, 0), radius=hd.Parameter("radius", "m", 0.1))
     line = replace(point, length=hd.Parameter("width", "m", 0.2))
@@ -86,18 +86,15 @@ def test_a_pair_of_the_users_touches_along_a_line_where_it_has_a_length():
     assert tuple(fitting_laws("stiffness", point, point.geometry)) == fitting
     assert "popov_line" in fitting_laws("stiffness", line, line.geometry)
     assert "johnson" not in fitting_laws("stiffness", line, line.geometry)  # which asks for R1 and R2 together
-
-
-# -- what the forms need -------------------------------------------------------------------------------------------------
-
-
-def test_a_wrong_length_is_a_fault_although_no_law_asks_for_it():
     from hertzwerk.derive import InputError
 
     (pair,) = crank.mechanism.pairs
     wrong = replace(pair, length=hd.Parameter("bush_length", "kg", 15))
     with pytest.raises(InputError, match="pair slider_pin, length"):
         replace(crank, mechanism=replace(crank.mechanism, pairs=(wrong,)))
+
+
+# -- what the forms need -------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", ["popov_line", "wang_liu_external"])

@@ -69,9 +69,6 @@ def test_all_faults_are_reported_at_once():
         scene(*forms)
         scene(hd.Coupling("mesh", "rack", "wheel", number), hd.Coupling("belt", "wheel", "wheel", -2))
     assert {fault.where for fault in caught.value.faults} == {"effect mesh, ratio", "effect belt"}
-
-
-def test_a_joint_that_closes_a_loop_without_a_coordinate_is_refused_by_name():
     closing = hd.Spherical("closing", pinion.at(r, 0, 0), wheel)
     with pytest.raises(hd.InputError, match="joint 'closing', which closes a loop"):
         scene(hd.Coupling("mesh", "closing", "wheel", 1), joints=(*PARTS, closing))

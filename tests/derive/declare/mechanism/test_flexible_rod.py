@@ -50,7 +50,6 @@ def test_its_ends_are_carried_in_order_and_take_forces():
     refused(lambda: scene(beam), "joint rod", "rod_start", "to the ground by a joint")
     end_first = hd.Weld("clamp", GROUND, beam.start), hd.Planar("base", GROUND, beam.end), beam
     refused(lambda: scene(*end_first), "joint rod", "whose end another joint carries", "Declare the rod before")
-    beam = rod()
     joints = hd.Weld("clamp", GROUND, beam.start), beam
     spring = hd.JointSpring("spring", "rod.bending", Parameter("k", "N/m", 1))
     refused(lambda: scene(*joints, effects=(spring,)), "effect spring", "rod.bending", "a joint with one coordinate")

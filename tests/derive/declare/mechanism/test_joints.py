@@ -39,7 +39,7 @@ def scene(*joints, effects=(), start=None):
 BODY, OTHER = hd.Body("body", MASS, TRIPLE), hd.Body("other", MASS, TRIPLE)
 
 
-def test_names_are_those_of_the_joint_and_its_motions():
+def test_names_of_coordinates_and_starts_by_them():
     result = Derived(scene(hd.Free("float", hd.GROUND, BODY), hd.Universal("cross", BODY, OTHER)))
     coordinates = ["x", "y", "z", "q0", "q1", "q2", "q3"]
     names = [*(f"float.{name}" for name in coordinates), "cross.angle_1", "cross.angle_2"]
@@ -48,9 +48,6 @@ def test_names_are_those_of_the_joint_and_its_motions():
     assert result.SPEEDS[:4] == (*speeds, ("float.angular_speed_x", "rad/s"))
     assert result.QUATERNIONS == (3,)
     assert (result.nq, result.nu) == (9, 8)
-
-
-def test_a_start_names_coordinates_and_an_orientation_is_normalised():
     w0, w1 = (hd.Parameter(name, "rad/s", x) for name, x in (("w0", 7.0), ("w1", 8.0)))
     position = {"float.x": hd.Parameter("x0", "m", 2.0), "float.q0": 3, "float.q2": 4, "pin": 0.5}
     start = hd.Start(position=position, speed={"float.angular_speed_z": w0, "pin.speed": w1})

@@ -65,7 +65,7 @@ def test_the_force_is_smooth_at_onset_and_join_and_deeper_by_the_length(ball):
     assert force_of(ball, [-EPSILON, -1e-9]).tolist() == [[0, 0]] * 3
 
 
-def test_its_stored_energy_is_the_integral_of_its_force():
+def test_smooth_forces_store_their_work_and_keep_energy():
     power = LAWS["power"]
     (k, n) = power.parameters
     for exponent in (1, sp.Rational(3, 2), sp.Rational(27, 10)):
@@ -75,9 +75,6 @@ def test_its_stored_energy_is_the_integral_of_its_force():
             y = sp.Symbol("y")
             exact = 2 * sp.Integral((2 * (y**3 - y**4 / 2)) ** exponent, (y, 0, share)).evalf(20)
             assert actual == pytest.approx(float(exact), rel=1e-12)
-
-
-def test_energy_is_kept_through_smooth_impacts():
     model = engine_model(smooth_ball(laws.power(K, n=1.5)))
     run = simulate(model, duration="1.5 s", tolerance=1e-11, compiled=False)
     assert len(run.impacts) >= 2
@@ -104,7 +101,7 @@ def test_bad_lengths_are_refused(smooth):
         smooth_ball(*DAMPED, smooth=smooth)
 
 
-def test_laws_that_begin_too_steeply_are_refused():
+def test_too_steep_laws_are_refused_and_the_sheet_states_the_deviation():
     dashpot = laws.power_damping(Parameter("c", "N s/m", 100), m=0)
     with pytest.raises(InputError, match=r"begins like d\^0"):
         smooth_ball(laws.power(K, n=1.5), dashpot)
@@ -112,9 +109,6 @@ def test_laws_that_begin_too_steeply_are_refused():
     assert (elastic, damping) == pytest.approx((1.5, 1.5))
     (_, of_factor) = [*growths(scene.effects[1].stiffness, laws.hunt_crossley(0.9))][1]
     assert of_factor == pytest.approx(1.5)
-
-
-def test_the_sheet_states_the_deviation():
     actual = {point.penetration: point.smoothed for point in sheet(LAWS["johnson"]).points}
     law = {point.penetration: point for point in sheet(LAWS["johnson"]).points}
     assert actual[1e-8] < -0.999

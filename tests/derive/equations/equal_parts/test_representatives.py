@@ -119,12 +119,8 @@ def values(model, name, given, c):
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_equal_parts_are_found(name):
+def test_equal_parts_are_found_with_the_tables_of_a_derivation_of_each(name):
     assert [kind.name for kind in alike(SCENES[name]()).pairs] == KINDS[name]
-
-
-@pytest.mark.parametrize("name", SCENES)
-def test_tables_are_those_of_a_derivation_of_each(name):
     kinds, each = (model.module for model in models(name))
     tables = [table for table in vars(each) if table.isupper() and table not in OWN]
     assert len(tables) > 12

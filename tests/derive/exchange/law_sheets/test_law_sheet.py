@@ -153,16 +153,13 @@ def test_operations_are_those_of_the_generated_text():
     assert operations_of(LAWS["johnson"])[1] > 50
 
 
-def test_ranges_and_memory(sheets):
+def test_ranges_memory_and_unknown_names_are_reported(sheets):
     e = next(entry for entry in sheets["lankarani_nikravesh"].symbols if entry.name == "e")
     assert (e.origin, e.defined, e.recommended) == ("parameter", "[0, 1]", "(0.8, 1]")
     assert sheets["lankarani_nikravesh"].memory == ("v0 [m/s], approach speed, latched at the onset of the contact",)
     assert "gap opens" in sheets["tsuji"].release
     assert next(s for s in sheets["pereira_internal_si"].symbols if s.name == "dR").defined == "[5e-06, 0.01]"
     assert sheets["lugre"].memory[0].startswith("z [m]")
-
-
-def test_unknown_names_are_all_reported_with_their_like():
     with pytest.raises(InputError) as caught:
         laws_named(("flores", "jonson", "nonsense"))
     assert len(caught.value.faults) == 2

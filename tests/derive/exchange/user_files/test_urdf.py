@@ -191,7 +191,7 @@ def faults_of(folder: Path, text: str, base: str = "fixed") -> str:
     return str(caught.value)
 
 
-def test_every_fault_of_elements_is_reported_at_once(tmp_path):
+def test_every_fault_of_elements_and_between_them_is_reported_at_once(tmp_path):
     said = faults_of(
         tmp_path,
         '<robot name="r"><link name="a"><inertial><mass value="heavy"/><inertia ixx="1" iyy="nan" izz="1"/></inertial>'
@@ -206,9 +206,6 @@ def test_every_fault_of_elements_is_reported_at_once(tmp_path):
         "joint j, axis.xyz: found none; expected three numbers", "joint k, parent: found none; expected reference to a link",
     ):  # fmt: skip
         assert part in said, said
-
-
-def test_every_fault_between_elements_is_reported_at_once(tmp_path):
     said = faults_of(
         tmp_path,
         '<robot name="r"><link name="base"/><link name="a"/>'
@@ -225,14 +222,6 @@ def test_every_fault_between_elements_is_reported_at_once(tmp_path):
         "joint m, mimic: found none, which is no joint", "joint m, joint n: found c, which another joint carries too",
     ):  # fmt: skip
         assert part in said, said
-
-
-def test_a_moving_link_without_inertia_is_named(tmp_path):
-    text = '<robot name="r"><link name="base"/><link name="a"/><link name="tool"/>'
-    said = faults_of(
-        tmp_path, text + joint("j", "revolute", "base", "a") + joint("k", "fixed", "a", "tool") + "</robot>"
-    )
-    assert "link a: found no <inertial>, and joint j moves it" in said
 
 
 @pytest.mark.parametrize(
@@ -381,15 +370,17 @@ def test_likely_causes_and_ways_out_of_files_that_contradict_themselves(tmp_path
     assert "No <link>: is the macro of an .xacro not called?" in faults_of(tmp_path, '<robot name="r"/>')
     gripper = '<robot name="r"><link name="base"/><link name="a"/>' + joint("j", "revolute", "base", "a") + "</robot>"
     assert 'from_urdf(..., locked={"j": 0}) welds it' in faults_of(tmp_path, gripper)
-
-
-def test_a_joint_of_several_coordinates_that_mimics_a_fixed_one_is_no_weld(tmp_path):
     text = robot_with(
         joint("glue", "fixed", "base", "a"), joint("loose", "floating", "base", "b", '<mimic joint="glue"/>'), links="ab",
     )  # fmt: skip
     assert "joint loose, mimic: found loose, a floating joint; expected a joint of one coordinate" in faults_of(
         tmp_path, text
     )
+    text = '<robot name="r"><link name="base"/><link name="a"/><link name="tool"/>'
+    said = faults_of(
+        tmp_path, text + joint("j", "revolute", "base", "a") + joint("k", "fixed", "a", "tool") + "</robot>"
+    )
+    assert "link a: found no <inertial>, and joint j moves it" in said
 
 
 def test_every_fault_of_options_is_reported_at_once(tmp_path):

@@ -204,7 +204,7 @@ def test_functions_of_numbers(function):
         dimension_of(function(x), TABLE)
 
 
-def test_matrices_comparisons_and_logic():
+def test_matrices_logic_and_declared_functions():
     square, column = sp.Matrix([[x, y], [y, x]]), sp.Matrix([x, y])
     assert dimension_of(square, TABLE) == dim("m")
     assert dimension_of(sp.Inverse(square), TABLE) == dim("1/m")
@@ -217,9 +217,6 @@ def test_matrices_comparisons_and_logic():
     assert dimension_of(sp.Or(x <= y, sp.Not(x >= L)), TABLE) == ONE
     with pytest.raises(DimensionError, match=r"x >= v|v <= x"):
         dimension_of(sp.Or(x <= y, x >= v), TABLE)
-
-
-def test_declared_applied_functions():
     f = sp.Function("f")(t)
     assert dimension_of(f.diff(t, 2), TABLE | {f: dim("m")}) == dim("m/s^2")
 
@@ -251,7 +248,6 @@ def test_where_differentiates_branch_by_branch_and_evaluates_once_decided():
     assert (x * force).diff(d) == x * Where(d > 0, 2 * K * d, 0)
     assert force.fdiff(2) == Where(d > 0, 1, 0)
     assert force.fdiff(3) == Where(d > 0, 0, 1)
-    force = Where(d > 0, K * d**2, v)
     assert force.func is Where
     assert force.subs(d, 3).doit() == 9 * K
     assert force.subs(d, -3).doit() == v

@@ -159,11 +159,21 @@ def in_contact(derived):
     return np.concatenate(derived.call("contact_floor", q=[0.09], u=[-1.0], m=[3.0]))
 
 
-def test_any_summary_and_source_make_a_module_that_holds_them():
+def test_any_summary_source_number_and_length_of_a_name_make_a_module():
     derived = Derived(text=hd.generate(drop().named("drop", HOSTILE), source=HOSTILE))
     assert derived.SUMMARY == HOSTILE
     assert derived.SOURCE == HOSTILE
     assert in_contact(derived) == pytest.approx(in_contact(Derived(drop())))
+    text = hd.generate(heavy(hd.Parameter("mass", "kg", np.float64(0.1))))
+    assert '("mass", "kg", 0.1,' in text
+    # Names of many lengths move the line breaks through every column.
+    for length in range(1, 60, 3):
+        radius = hd.Parameter("r" * length, "m", 0.1)
+        text = hd.generate(
+            drop(pairs=(replace(FLOOR, radius=radius),), scales=replace(SCALES, length=radius, arm=radius))
+        )
+        ast.parse(text)
+        assert max(map(len, text.split("\n\n\ndef ", 1)[1].splitlines())) < 200
 
 
 def test_parameters_may_have_every_name_that_the_text_has_for_itself():
@@ -211,22 +221,6 @@ def _renamed(scene, names):
         return value
 
     return walk(scene)
-
-
-def test_a_numpy_default_is_written_as_a_number():
-    text = hd.generate(heavy(hd.Parameter("mass", "kg", np.float64(0.1))))
-    assert '("mass", "kg", 0.1,' in text
-
-
-def test_long_returns_are_wrapped_and_still_python():
-    """Names of many lengths move the line breaks through every column."""
-    for length in range(1, 60, 3):
-        radius = hd.Parameter("r" * length, "m", 0.1)
-        text = hd.generate(
-            drop(pairs=(replace(FLOOR, radius=radius),), scales=replace(SCALES, length=radius, arm=radius))
-        )
-        ast.parse(text)
-        assert max(map(len, text.split("\n\n\ndef ", 1)[1].splitlines())) < 200
 
 
 @each("scale", [1e-6, 1e-3, 0.1, 0.4, 0.6, 0.9, 0.999, 1.0])

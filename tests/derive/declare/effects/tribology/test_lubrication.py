@@ -217,7 +217,7 @@ def test_unsound_films_are_refused(case):
         assert text in str(raised.value)
 
 
-def test_a_film_needs_a_pin_with_a_length_and_is_alone():
+def test_films_need_a_pin_with_a_length_and_consistent_units():
     short = replace(JOINT, length=None)
     with pytest.raises(hd.InputError, match="axial length"):
         scene(film(), pair=short)
@@ -226,10 +226,7 @@ def test_a_film_needs_a_pin_with_a_length_and_is_alone():
         scene(film(), pair=ball)
     with pytest.raises(hd.InputError, match="lubrication of pair joint"):
         scene(film(), film(name="more"))
-
-
-def test_units_are_scaled_away_from_an_inconsistent_film():
-    """A film law of one's own with a wrong unit is refused by the audit; marked, it runs and the module says so."""
+    # A film law of one's own with a wrong unit is refused by the audit; marked, it runs and the module says so.
     wrong = replace(short_bearing, name="wrong", couple=short_bearing.along)
     with pytest.raises(InconsistentUnits, match="drag against the spin"):
         hd.generate(scene(film(wrong)))

@@ -112,14 +112,11 @@ def path(declared):
     return np.array([history[f"fly.{name}"] for name in ("x", "y", "angular_speed_z")])
 
 
-def test_a_pair_of_ones_own_touches_as_the_built_in_pair_that_it_equals(kinds):
+def test_a_pair_of_ones_own_touches_as_a_built_in_one_and_offers_its_geometry(kinds):
     wanted = path(scene(hd.SphereOnPlane("touch", PLACES[0], RADIUS, PLACES[1], hd.Y)))
     assert np.ptp(wanted[2]) > 1  # it is rubbed
     assert np.max(np.abs(path(scene(kinds["Dome"]("touch", *PLACES, hd.Y, RADIUS))) - wanted)) < 1e-8
-
-
-def test_a_pair_of_ones_own_offers_its_geometry_to_laws(kinds):
-    """K = 4/3 E* sqrt(R_eff), with the radius of the dome."""
+    # K = 4/3 E* sqrt(R_eff), with the radius of the dome.
     names, values, units = ("E_1", "nu_1", "E_2", "nu_2"), (1e9, 0.3, 2e9, 0.3), ("Pa", "1", "Pa", "1")
     given = zip(names, units, values, strict=True)
     steel = {name: hd.Parameter(name, unit, value) for name, unit, value in given}

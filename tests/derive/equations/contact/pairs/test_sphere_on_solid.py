@@ -113,8 +113,8 @@ def test_the_gap_is_the_shortest_distance_minus_the_radius(tried):
         assert gap == pytest.approx(distance - r, abs=2e-6 * r)
 
 
-def test_forces_do_the_work_of_the_penetration(tried):
-    """Power on both bodies in contact is minus force times the rate of the exact gap, turning included."""
+def test_forces_do_the_work_of_the_penetration_and_have_derivatives_everywhere(tried):
+    # Power on both bodies in contact is minus force times the rate of the exact gap, turning included.
     name, derived = tried
     rng, touching = np.random.default_rng(5), 0
     for q, _, distance in states(name):
@@ -133,9 +133,6 @@ def test_forces_do_the_work_of_the_penetration(tried):
         assert normal > 0
         assert force @ u == pytest.approx(normal * rate, rel=2e-6, abs=1e-6 * normal)
     assert touching > 1
-
-
-def test_derivatives_are_numbers_everywhere(tried):
     _, derived = tried
     for q, *_ in states(*tried[:1])[:6]:
         for which in ("q", "u"):
