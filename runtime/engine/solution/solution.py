@@ -271,7 +271,8 @@ class EngineSolution(Histories):
         if self.energy_residual is not None:
             parts.append(f"energy closed to {self.energy_residual:.1g}")
         text = f"{self.outcome.name}: {', '.join([*parts, time_text(statistics.wall_s, 3)])}"
-        return text if self.outcome.finished else f"{text}\n{self.outcome.message}; {self.outcome.remedy}"
+        reason = [] if self.outcome.finished else [f"{self.outcome.message}; {self.outcome.remedy}"]
+        return "\n".join([text, *reason, *(f"warning: {warning}" for warning in self.warnings)])
 
     def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write the whole run as npz, to be read by `Solution.load` or NumPy; raises FileExistsError."""

@@ -293,6 +293,7 @@ def test_a_start_one_clearance_deep_is_allowed_and_reported():
     assert 'take method="auto"' in texts.outcome.remedy
     (warning,) = (text for text in texts.warnings if "deep" in text)
     assert warning.startswith("slider_pin starts 0.0005 m deep: stiffness alone would throw that apart at 51.4 m/s")
+    assert f"\nwarning: {warning}" in str(texts)
     assert "damping, which has no approach speed, may hold it there" in warning
     assert "they touch with guide.travel at 0.1705 m in place of 0.171 m" in warning
     for allowed in ("170 mm", "170.5 mm", "170.6 mm"):  # apart, touching, and pressed as an impact of the scene might
