@@ -18,7 +18,7 @@ from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, as_path
 from hertzwerk.runtime.engine.accuracy.error_estimate import LadderResult
 from hertzwerk.runtime.engine.inputs.input_values import Input, with_input_values
 from hertzwerk.runtime.engine.integration.step.layout import FINISHED
@@ -63,7 +63,6 @@ from hertzwerk.runtime.output.tables.data_frame import data_frame
 from hertzwerk.runtime.output.tables.dataset import dataset
 from hertzwerk.runtime.output.tables.history_table import history_table
 from hertzwerk.runtime.output.tables.table_file import write_table
-from hertzwerk.runtime.system.result_folder import as_path
 from hertzwerk.runtime.system.stages import Stages, in_stages
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from hertzwerk.derive.audit.contact_forms import advice
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.derive.common.markup import coloured, heading, table, tag
 from hertzwerk.derive.common.units import parse_unit
-from hertzwerk.derive.declare.scene.scene import Scene
+from hertzwerk.derive.declare.scene.scene import Scene, require_scene
 from hertzwerk.derive.expressions.dimension.culprit import Culprit, Row, culprits, likeliest, powers_in, sentence
 from hertzwerk.derive.expressions.dimension.dimension import ONE, Dimension, DimensionError, DimensionFault
 from hertzwerk.derive.expressions.dimension.frequencies import frequencies_as_angular
@@ -169,6 +169,7 @@ def advice_findings(scene: Scene) -> tuple[Finding, ...]:
 
 def audit_laws(scene: Scene) -> tuple[Finding, ...]:
     """One finding per expression of every law in the scene."""
+    require_scene(scene)
     findings: list[Finding] = []
     known: dict[Any, list[Finding]] = {}
     for effect in scene.effects:

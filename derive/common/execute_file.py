@@ -11,7 +11,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from hertzwerk.derive.common.faults import Fault, InputError, unreadable
+from hertzwerk.derive.common.faults import Fault, InputError, as_path, unreadable
 
 _FOLDER: ContextVar[Path | None] = ContextVar("folder of the file that is executed", default=None)
 _NEIGHBOURS: set[str] = set()
@@ -19,9 +19,8 @@ _NEIGHBOURS: set[str] = set()
 
 
 def beside(path: str | Path) -> Path:
-    """Resolve a path relative to the scene file being executed; unchanged elsewhere."""
-    folder = _FOLDER.get()
-    return Path(path) if folder is None else folder / path
+    """Resolve a path relative to the scene file being executed; unchanged elsewhere. Raises InputError."""
+    return (_FOLDER.get() or Path()) / as_path("path", path)
 
 
 def names_defined_by(path: Path) -> dict[str, Any]:

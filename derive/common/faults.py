@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Hashable, Iterable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 FEW, MANY = 12, 40  # most names listed as expected: where similar names are suggested, and where there are none
@@ -73,6 +74,13 @@ def similar(name: str, names: Collection[str]) -> str:
     own = [quantity for whose, _, quantity in (other.rpartition(".") for other in names) if owner and whose == owner]
     phrases = [f"did you mean {' or '.join(near)}?"] if near else []
     return " ".join([*phrases, *([f"{owner} has {', '.join(own)}"] if own else [])])
+
+
+def as_path(where: str, path: object) -> Path:
+    """Return the path that a user names; raises InputError for what is none."""
+    if isinstance(path, str | Path):
+        return Path(path)
+    raise InputError(where, [Fault(where, shown(path), "the path of a file or folder, as text or a Path")])
 
 
 def unreadable(path: object, error: Exception, expected: str) -> Fault:

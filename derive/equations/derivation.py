@@ -19,7 +19,7 @@ from hertzwerk.derive.audit.audit import (
 )
 from hertzwerk.derive.audit.behaviour import refuse_misbehaving
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.derive.declare.scene.scene import Scene
+from hertzwerk.derive.declare.scene.scene import Scene, require_scene
 from hertzwerk.derive.equations.equal_parts.equal_declarations import Alike, alike
 from hertzwerk.derive.equations.equal_parts.representatives import program_of_kinds
 from hertzwerk.derive.equations.inverse_dynamics.derived_histories import Readings
@@ -38,6 +38,7 @@ def generate(scene: Scene, source: str = "", coordinates: str | None = None) -> 
     source         the file of the scene, as the header states it
     coordinates    those of `scene`, where the file's scene has others
     """
+    require_scene(scene)
     grouping = alike(scene)
     program = (grouping and _derive_alike(grouping)) or derive(scene)  # 1 to 4
     return emit(program, source, coordinates)  # 5. text

@@ -8,7 +8,7 @@ import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown
+from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.system.atomic_files import scratch_folder
 
 RUNS = Path("runs")  # default folder of results
@@ -64,13 +64,6 @@ def unwritable(folder: Path) -> str | None:
             return None
     except OSError as error:
         return f"{folder}, which cannot be written to ({error.strerror})"
-
-
-def as_path(where: str, path: object) -> Path:
-    """Return the path that a user names; raises InputError for what is none."""
-    if isinstance(path, str | Path):
-        return Path(path)
-    raise InputError(where, [Fault(where, shown(path), "the path of a file or folder, as text or a Path")])
 
 
 def new_file_faults(where: str, path: Path, way_out: str = "", *, overwrite: bool = False) -> list[Fault]:

@@ -10,7 +10,7 @@ import pint
 import pytest
 from each import each
 
-from hertzwerk import runtime
+from hertzwerk import derive, runtime
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.scenes.bouncing_ball import scene
 from hertzwerk.runtime import simulation
@@ -20,6 +20,7 @@ T = np.linspace(0, 0.058, 30)
 GIVEN = {name: getattr(runtime, name) for name in runtime.__all__}
 GIVEN |= {
     "ball": runtime.load("bouncing_ball"),
+    "derive": derive,
     "scene": scene,
     "np": np,
     "Path": Path,
@@ -292,6 +293,7 @@ read_measurement({"t [s]": [0, 1], "x [m]": [0, 1]}, columns=5)  ->  columns: fo
 read_measurement({"t [s]": [0, 1], "x [m]": [0, 1]}, units="m")  ->  units: found 'm'
 read_measurement({"t [s]": [0, 1], "x [m]": [0, 1]}, units={"x": 3})  ->  units: found {'x': 3}
 read_measurement({"t [s]": [0, 1], "x [m]": [0, 1]}, missing=None)  ->  missing: found None
+read_measurement({"t [s]": [0, 1], "x [m]": [0, 1]}, missing=[None])  ->  missing: found [None]
 read_measurement({"t [s]": [0, 1], "x": [0, 1]})  ->  x
 read_impacts({"t [s]": [0, 1]})  ->  impact
 Measurement("t", {"x": [1, 2]}, {"x": "m"})  ->  times
@@ -344,6 +346,19 @@ ball.function("step", method=T)  ->  a method named by ndarray
 ball.function(3)  ->  function
 ball.function("step", method="rk4")  ->  rk4
 ball.draw(parameters={"mas": 1})  ->  did you mean mass
+ball.equations()["floor_gab"]  ->  did you mean floor_gap
+ball.equations()[0]  ->  numbers are 1 to 15
+ball.equations()[T]  ->  no equation array
+table.in_stated_units("x")  ->  most: found 'x'
+still["first"]  ->  no mode 'first'
+still[9]  ->  no mode 9
+derive.from_urdf(3)  ->  path: found 3
+derive.laws_from(3)  ->  path: found 3
+derive.audit_path(3)  ->  path: found 3
+derive.audit_scene("bouncing_ball")  ->  scene: found 'bouncing_ball'
+derive.derive(3)  ->  scene: found 3
+derive.generate(3)  ->  scene: found 3
+derive.to_sympy(3)  ->  scene: found 3
 """
 RIGHT = """
 load(scene)
@@ -398,6 +413,8 @@ repr(run.at([]))
 run.sensitivities("mass").at("5 ms", "vertical.travel", "mass")
 limit.at("vertical.travel", "5 ms")
 limit.get("height", 0)
+limit["t"][limit == limit]
+{limit: limit.units}
 run.extremes("vertical.travel").highest
 run.continued("20 ms")
 run.sensitivities()["vertical.travel", "mass"]
@@ -418,7 +435,7 @@ def test_a_wrong_call_is_refused_before_anything_runs(row, monkeypatch, tmp_path
     for place in (simulation, continuation):
         monkeypatch.setattr(place, "set_up", lambda *given, **how: pytest.fail("a run was begun"))
     call, _, actual = row.partition("  ->  ")
-    with pytest.raises((InputError, KeyError)) as caught:
+    with pytest.raises((InputError, LookupError)) as caught:
         eval(call, {**GIVEN})
     assert actual in str(caught.value)
     assert not list(tmp_path.iterdir())

@@ -12,7 +12,7 @@ from typing import Any, Literal, TypeVar
 
 import sympy as sp
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
 from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.common.identifiers import repeated
 from hertzwerk.derive.common.markup import Markup, heading, joined, titled
@@ -452,3 +452,9 @@ def scene_html(scene: Scene) -> Markup:
         titled("Effects", ("effect", "kind", "what it is"), rows),
         titled("Parameters", ("parameter", "value", "unit", "meaning"), values),
     ])  # fmt: skip
+
+
+def require_scene(scene: object) -> None:
+    """Raise InputError for what is no scene."""
+    if not isinstance(scene, Scene):
+        raise InputError("scene", [Fault("scene", shown(scene), "a Scene")])

@@ -7,6 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from hertzwerk.derive.common.faults import among, shown, similar
+
 
 @dataclass(frozen=True)
 class Symbol:
@@ -105,11 +107,14 @@ class Readable:
         return tuple(equation for section in self.sections for equation in section.equations)
 
     def __getitem__(self, key: int | str) -> Equation:
-        """An equation by its number or name."""
-        for equation in self.equations:
-            if key in (equation.number, equation.name):
-                return equation
-        raise KeyError(key)
+        """An equation by its number or name; raises KeyError, with what there is, for any other."""
+        equations = self.equations
+        equation = next((each for each in equations if among(key, each.number, each.name)), None)
+        if equation is None:
+            names = [each.name for each in equations if each.name]
+            hint = (similar(key, names) if isinstance(key, str) else "") or f"names are {', '.join(names)}"
+            raise KeyError(f"no equation {shown(key)}; numbers are 1 to {len(equations)}, {hint}")
+        return equation
 
     def _repr_markdown_(self) -> str:
         return self.markdown()

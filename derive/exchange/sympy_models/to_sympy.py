@@ -17,7 +17,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from sympy.printing.str import StrPrinter
 
 from hertzwerk.derive.common.faults import Fault, refuse
-from hertzwerk.derive.declare.scene.scene import Scene
+from hertzwerk.derive.declare.scene.scene import Scene, require_scene
 from hertzwerk.derive.equations.module.equation_system import System
 from hertzwerk.derive.equations.motion.absolute_coordinates import absolute
 from hertzwerk.derive.equations.motion.constraints import ON_SPEED
@@ -74,6 +74,7 @@ def to_sympy(scene: Scene) -> SymPyEquations:
 
     Raises InputError, with every fault, for what has no such form.
     """
+    require_scene(scene)
     export = _Export(System(absolute(scene) if scene.coordinates == "absolute" else scene))
     return export.equations()
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from hertzwerk.derive.audit.audit import Finding, Findings, audit_law, verdict
 from hertzwerk.derive.audit.behaviour import faults_if_consistent
 from hertzwerk.derive.common.execute_file import names_defined_by, sympy_remedy
-from hertzwerk.derive.common.faults import Fault, InputError, refuse
+from hertzwerk.derive.common.faults import Fault, InputError, as_path, refuse
 from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.common.module_format import refuse_generated
 from hertzwerk.derive.common.toml_file import MAX_BYTES
@@ -62,7 +62,7 @@ def audit_files(
 
     whole    audits a scene
     """
-    path = Path(path)
+    path = as_path("path", path)
     files = list(_files(path)) if path.is_dir() else [path]
     if not files:
         expected = "Python files that define a scene or laws, or TOML files with tables [[law]]"

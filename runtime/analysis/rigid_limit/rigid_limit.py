@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby
@@ -26,6 +26,7 @@ from hertzwerk.runtime.analysis.rigid_limit.rigid_run import (
 from hertzwerk.runtime.engine.model.binding import Value, times_within
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.run_request import Settings, is_real, progress_faults, read
+from hertzwerk.runtime.engine.solution.history import Histories
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END, Outcome
 from hertzwerk.runtime.engine.start.start_values import stated_values
 from hertzwerk.runtime.loading import Target, engine_model
@@ -53,8 +54,8 @@ class StifferRun:
     apart: Array
 
 
-@dataclass(frozen=True)
-class RigidLimit(Mapping[str, Array]):
+@dataclass(frozen=True, eq=False)
+class RigidLimit(Histories):
     """Rigid limit of a scene: a mapping from coordinates and speeds to their values at `t`, in SI.
 
     impulses, accumulations    impacts, and the ends of sequences of ever shorter flights
@@ -75,7 +76,7 @@ class RigidLimit(Mapping[str, Array]):
     stiffer: tuple[StifferRun, ...] = ()
 
     def __getitem__(self, name: str) -> Array:
-        return np.array(self.motion.y)[:, self._place(name)]
+        return self.t if among(name, "t") else np.array(self.motion.y)[:, self._place(name)]
 
     def _place(self, name: str) -> int:
         names = [*self]
@@ -83,11 +84,10 @@ class RigidLimit(Mapping[str, Array]):
             raise KeyError(str(unknown("coordinate or speed", name, names)))
         return names.index(name)
 
-    def __iter__(self) -> Iterator[str]:
-        return iter((*self.model.coordinates, *self.model.speeds))
-
-    def __len__(self) -> int:
-        return len(self.model.coordinates) + len(self.model.speeds)
+    @property
+    def units(self) -> Mapping[str, str]:
+        """SI unit text of "t", the coordinates and the speeds."""
+        return {"t": "s"} | {name: self.model.units[name] for name in (*self.model.coordinates, *self.model.speeds)}
 
     @property
     def t(self) -> Array:

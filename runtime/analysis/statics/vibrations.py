@@ -232,7 +232,10 @@ class Modes(Sequence[Mode]):
     @overload
     def __getitem__(self, index: slice) -> tuple[Mode, ...]: ...
     def __getitem__(self, index: int | slice) -> Mode | tuple[Mode, ...]:
-        return self.modes[index]
+        try:
+            return self.modes[index]
+        except (IndexError, TypeError):
+            raise IndexError(f"no mode {shown(index)}; there are {len(self.modes)}, from 0 on") from None
 
     def __len__(self) -> int:
         return len(self.modes)

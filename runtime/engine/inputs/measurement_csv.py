@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown, unknown
 from hertzwerk.derive.common.units import Unit, UnitError, parse_unit
 from hertzwerk.runtime.engine.inputs.delimited_text import Arrays, Numbers, layout_of, text_of, with_header
+from hertzwerk.runtime.engine.model.binding import whole_faults
 from hertzwerk.runtime.system.arrays import Array
 
 TIMES = ("t", "time", "zeit", "x_value")  # names of a time column, in any case; the last one is LabVIEW's
@@ -273,18 +274,22 @@ def _of_arrays(reading: Reading, keys: tuple[str, ...], faults: list[Fault]) -> 
 
 
 def _option_faults(reading: Reading) -> list[Fault]:
-    columns, units, skip, decimal, missing = list(vars(reading).values())[1:]
-    faults = [] if among(decimal, None, ".", ",") else [Fault("decimal", shown(decimal), '"." or ","')]
-    if columns is not None and not (
-        isinstance(columns, list | tuple | Mapping) and all(isinstance(name, str) for name in columns)
-    ):
-        faults.append(Fault("columns", shown(columns), 'names, ["force"], or names beside headings, {"force": "CH 2"}'))
-    if units is not None and not (isinstance(units, Mapping) and all(isinstance(unit, str) for unit in units.values())):
-        faults.append(Fault("units", shown(units), 'unit texts by column, {"force": "N"}'))
-    if not isinstance(missing, str | int | float | list | tuple | set):
-        faults.append(Fault("missing", shown(missing), "texts of cells without a sample"))
-    whole = isinstance(skip, int) and not isinstance(skip, bool) and skip >= 0
-    return faults if whole else [*faults, Fault("skip", shown(skip), "a number of lines")]
+    columns, units, marks = reading.columns, reading.units, reading.missing
+    marks = [marks] if isinstance(marks, str | int | float) else marks
+    named = isinstance(columns, list | tuple | Mapping) and all(isinstance(name, str) for name in columns)
+    sound = {
+        "decimal": (among(reading.decimal, None, ".", ","), '"." or ","'),
+        "columns": (columns is None or named, 'names, ["force"], or names beside headings, {"force": "CH 2"}'),
+        "units": (isinstance(units, Mapping) and _all(str, units.values()), 'unit texts by column, {"force": "N"}'),
+        "missing": (_all(str | int | float, marks), "texts or numbers of cells without a sample"),
+        "skip": (not whole_faults(skip=reading.skip), "a number of lines"),
+    }
+    return [Fault(name, shown(getattr(reading, name)), to) for name, (good, to) in sound.items() if not good]
+
+
+def _all(kind: Any, values: object) -> bool:
+    """Return whether values are a collection, each of a kind."""
+    return isinstance(values, Collection) and all(isinstance(value, kind) for value in values)
 
 
 def _key_test(columns: Chosen | None, keys: tuple[str, ...]) -> Callable[[int, str], bool]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from types import MappingProxyType
 
@@ -36,6 +37,21 @@ _PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal
 
 class Histories(Mapping[str, np.ndarray]):
     """Mapping from names to histories, compared by identity; `[name, "mm"]` is one in another unit."""
+
+    @property
+    @abstractmethod
+    def units(self) -> Mapping[str, str]:
+        """SI unit text of "t" and of every name."""
+
+    def __iter__(self) -> Iterator[str]:
+        """Iterate over every name except "t", without readings that are not listed."""
+        return (name for name in self.units if name != "t")
+
+    def __len__(self) -> int:
+        return len(self.units) - 1
+
+    def __contains__(self, name: object) -> bool:
+        return isinstance(name, str) and name in self.units
 
     def __eq__(self, other: object) -> bool:
         return self is other
@@ -94,16 +110,6 @@ class History(Histories):
         """SI unit text of "t" and of every name, in their order; of readings when requested."""
         units = units_of(self.model, tuple(self._values) if self.integrator is None else None)
         return Units({**units, **{name: units[name] for name in self.beside}}, self.model)
-
-    def __iter__(self) -> Iterator[str]:
-        """Iterate over every name except "t", without readings that are not listed."""
-        return (name for name in self.units if name != "t")
-
-    def __len__(self) -> int:
-        return len(self.units) - 1
-
-    def __contains__(self, name: object) -> bool:
-        return isinstance(name, str) and name in self.units
 
     def __repr__(self) -> str:
         span = f", {self.t[0]:g} to {self.t[-1]:g} s" if len(self.t) else ""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
@@ -11,6 +11,7 @@ from typing import Any, Self
 
 import numpy as np
 
+from hertzwerk.derive.common.faults import as_path
 from hertzwerk.derive.common.module_format import EMPTY
 from hertzwerk.derive.common.units import time_text
 from hertzwerk.runtime.engine.accuracy.error_estimate import ErrorEstimate
@@ -38,7 +39,6 @@ from hertzwerk.runtime.engine.solution.step_warnings import (
 )
 from hertzwerk.runtime.system.atomic_files import write_atomically
 from hertzwerk.runtime.system.lazy import cached_property
-from hertzwerk.runtime.system.result_folder import as_path
 
 CHECKPOINT = "checkpoint"  # name in a file, beside the histories
 RATES = "rates"  # likewise, of a run with its steps
@@ -212,15 +212,6 @@ class EngineSolution(Histories):
 
     def __getitem__(self, name: str | tuple[str, str]) -> np.ndarray:
         return self.engine.history[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.engine.history)
-
-    def __len__(self) -> int:
-        return len(self.engine.history)
-
-    def __contains__(self, name: object) -> bool:
-        return name in self.engine.history
 
     def with_histories(self, *names: str) -> Self:
         """Return the run with readings listed among its histories, so that tables and files have them too.

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from hertzwerk.derive.common.faults import Fault, refuse
+from hertzwerk.derive.common.faults import Fault, as_path, refuse
 from hertzwerk.runtime.output.tables.data_frame import parquet
 from hertzwerk.runtime.output.tables.dataset import netcdf
 from hertzwerk.runtime.output.tables.labelled_table import EXTRA, LabelledTable
 from hertzwerk.runtime.system.atomic_files import write_atomically
 from hertzwerk.runtime.system.optional_packages import missing_of
-from hertzwerk.runtime.system.result_folder import as_path, new_file_faults
+from hertzwerk.runtime.system.result_folder import new_file_faults
 
 CSV = ".csv"
 PACKAGES = {CSV: (), ".parquet": ("pandas", "pyarrow"), ".nc": ("xarray", "h5netcdf", "h5py")}  # by ending

@@ -20,7 +20,7 @@ from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, as_path, refuse, shown, unknown
 from hertzwerk.runtime.engine.inputs.input_values import Input, input_text, with_input_values
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, Choices, read_choices, units_of_inputs
 from hertzwerk.runtime.engine.model import model as plain
@@ -61,7 +61,6 @@ from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Output, chosen, de
 from hertzwerk.runtime.studies.sweeps.stored_rows import HELD, ROWS, DamagedError, StoredRows
 from hertzwerk.runtime.studies.sweeps.sweep_store import TABLE, Store, opened
 from hertzwerk.runtime.studies.sweeps.sweep_table import COMPLETE, Sweep, columns_of, memory_faults
-from hertzwerk.runtime.system.result_folder import as_path
 
 if TYPE_CHECKING:
     from distributed import Client

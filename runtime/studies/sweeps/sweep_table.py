@@ -18,11 +18,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, as_path, refuse, unknown
 from hertzwerk.derive.common.markup import heading, joined, table, tag
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.runtime.engine.inputs.inputs_by_row import Labels
-from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.binding import Value, whole_faults
 from hertzwerk.runtime.engine.model.ranges import ValueWithUnit
 from hertzwerk.runtime.engine.model.si_values import ratio
 from hertzwerk.runtime.engine.solution.outcome import Outcome
@@ -36,7 +36,6 @@ from hertzwerk.runtime.studies.sweeps.points.design_points import Design
 from hertzwerk.runtime.studies.sweeps.rows.array_table import Arrays
 from hertzwerk.runtime.studies.sweeps.rows.row import TEXTS, Row
 from hertzwerk.runtime.system.lazy import cached_property
-from hertzwerk.runtime.system.result_folder import as_path
 from hertzwerk.runtime.system.versions import versions
 
 if TYPE_CHECKING:
@@ -239,8 +238,9 @@ class Sweep:
     def in_stated_units(self, most: int | None = None) -> tuple[dict[str, str], list[list[float | str]]]:
         """Return units by column, and the first rows, in the stated units.
 
-        What was varied is in the unit that it was given in, where that is one in all rows.
+        What was varied is in the unit that it was given in, where that is one in all rows. Raises InputError.
         """
+        refuse("in_stated_units", [] if most is None else whole_faults(most=most))
         units = self.stated_units
         rows = [
             [_stated_value(row.stated.get(name))[0] if name in units else row[name] for name in self.names]
