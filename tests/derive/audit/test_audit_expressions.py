@@ -122,24 +122,16 @@ def test_a_value_is_a_number_and_only_a_literal_zero_has_every_dimension():
 @each(
     ("text", "expect", "exponent", "repair"),
     [
-        ("K*d", "N", "3/2", "with d**(3/2) it is N"),
-        ("E*d**1.5", "N", "2", "with d**2 it is N, or with d and a factor of unit m"),
+        ("K*d", "N", "3/2", "with d**(3/2) it is N"), ("E*d**1.5", "N", "2", "with d**2 it is N, or with d and a factor of unit m"),
         ("4/3*E*sqrt(d)*d", "N", "2", "with d**2 in all it is N, or with d in all and a factor of unit m"),
-        ("log(L/(F*R*s_c))", None, "3", "with L**3 it is dimensionless"),
-        ("sqrt(c*m)", "1/s", "-1", "with m**(-1) it is 1/s"),
-        ("(E**2*d**3)**(1/2)", "N", "4", "with d**4 it is N"),
-        ("sqrt(E**2*d**3)*theta", "N", "4", "with d**4 it is N"),
+        ("log(L/(F*R*s_c))", None, "3", "with L**3 it is dimensionless"), ("sqrt(c*m)", "1/s", "-1", "with m**(-1) it is 1/s"),
+        ("(E**2*d**3)**(1/2)", "N", "4", "with d**4 it is N"), ("sqrt(E**2*d**3)*theta", "N", "4", "with d**4 it is N"),
         ("E*sqrt(d)", "N", "2", "with d**2 in place of sqrt(d) it is N, or with d and a factor of unit m"),
         ("d*sqrt(E**2*d)", "N", None, "a factor of unit m^0.5 is missing"),  # no one exponent of both
-        ("Kn*d**(2*n - 1)", "N", "1", "consistent only with n = 1"),
-        ("Kn*d**k", "N", "n", "consistent only with k = n"),
-        ("Kn*d**n*v", "N", None, "a factor of unit s/m is missing"),
-        ("pi/2*E*d*sqrt(d/(2*(dR + d)))", "N", None, "a factor of unit m is missing"),
-        (
-            "tanh(5*v)", None, None, "a factor of unit s/m is missing; if the number 5 hides it, declare it with its unit",
-        ),
-        ("a_P*dR + b_P", None, None, "b_P would need the unit m"),
-        ("Th - 273.15", None, None, "273.15 would need the unit K"),
+        ("Kn*d**(2*n - 1)", "N", "1", "consistent only with n = 1"), ("Kn*d**k", "N", "n", "consistent only with k = n"),
+        ("Kn*d**n*v", "N", None, "a factor of unit s/m is missing"), ("pi/2*E*d*sqrt(d/(2*(dR + d)))", "N", None, "a factor of unit m is missing"),
+        ("tanh(5*v)", None, None, "a factor of unit s/m is missing; if the number 5 hides it, declare it with its unit"),
+        ("a_P*dR + b_P", None, None, "b_P would need the unit m"), ("Th - 273.15", None, None, "273.15 would need the unit K"),
         ("x**theta", None, None, None),
     ],
 )  # fmt: skip

@@ -51,10 +51,8 @@ def dim(unit):
 
 # expression, smallest sub-expression that has no dimension, found, expected
 INCONSISTENT = [
-    (Where(sp.And(d > 0, v > 1), K, 0), "v > 1", "1", "m/s"),
-    (sp.Piecewise((x, x > y), (t, True)), "Piecewise((x, x > y), (t, True))", "s", "m"),
-    (sp.Piecewise((x, x > t), (y, True)), "t < x", "s", "m"),
-    (sp.Matrix([x, theta]), "Matrix([[x], [theta]])", "1", "m"),
+    (Where(sp.And(d > 0, v > 1), K, 0), "v > 1", "1", "m/s"), (sp.Piecewise((x, x > y), (t, True)), "Piecewise((x, x > y), (t, True))", "s", "m"),
+    (sp.Piecewise((x, x > t), (y, True)), "t < x", "s", "m"), (sp.Matrix([x, theta]), "Matrix([[x], [theta]])", "1", "m"),
     (written(0, x + v), "v + x", "m", "m/s"),  # a zero factor excuses nothing inside the product
     (log(x) - log(y) + sin(log(x)), "log(x)", "m", "1"),  # one that stands elsewhere is not excused
     # powers
@@ -62,15 +60,11 @@ INCONSISTENT = [
     (x ** (n * theta), "x**(n*theta)", "m to the power n*theta", "a rational exponent, or one of constant parameters"),
     (x**pi, "x**pi", "m to the power pi", "a rational exponent, or one of constant parameters"),
     # derivatives and integrals
-    (sp.Derivative(x, t) + a, "a + Derivative(x, t)", "m/s", "m/s^2"),
-    (sp.Integral(F, (x, 0, t)), "Integral(F, (x, 0, t))", "s", "m"),
+    (sp.Derivative(x, t) + a, "a + Derivative(x, t)", "m/s", "m/s^2"), (sp.Integral(F, (x, 0, t)), "Integral(F, (x, 0, t))", "s", "m"),
     # what the audit does not know
-    (stranger * x, "stranger", "unknown", "a declared unit"),
-    (sp.Function("f")(x), "f(x)", "unknown", "a declared unit"),
-    (sp.zeta(theta), "zeta(theta)", "unknown", "a known operation"),
-    (1 + sp.I, "I", "unknown", "a known operation"),
-    (sp.nan, "nan", "unknown", "a known operation"),
-    (sp.Sum(theta, (k, 1, 3)), "Sum(theta, (k, 1, 3))", "unknown", "a known operation"),
+    (stranger * x, "stranger", "unknown", "a declared unit"), (sp.Function("f")(x), "f(x)", "unknown", "a declared unit"),
+    (sp.zeta(theta), "zeta(theta)", "unknown", "a known operation"), (1 + sp.I, "I", "unknown", "a known operation"),
+    (sp.nan, "nan", "unknown", "a known operation"), (sp.Sum(theta, (k, 1, 3)), "Sum(theta, (k, 1, 3))", "unknown", "a known operation"),
 ]  # fmt: skip
 
 
