@@ -3,6 +3,7 @@
 from dataclasses import replace
 from functools import cache
 
+import mpmath
 import numpy as np
 import pytest
 from scipy.optimize import brentq
@@ -14,6 +15,16 @@ from hertzwerk.runtime.loading import engine_model
 from reference import flights
 
 model = cache(engine_model)
+
+
+def test_a_pendulum_swings_as_its_elliptic_function_says():
+    """From -90 degrees: sin(angle/2) = -k cd(w t, k), from which the scenario has its digits."""
+    run = simulate(model("pendulum"), duration=10.0, tolerance=1e-12)
+    with mpmath.workdps(30):
+        m, w = mpmath.sin(mpmath.pi / 4) ** 2, mpmath.sqrt(mpmath.mpf("9.81"))
+        for t in np.linspace(0, 10, 41):
+            expected = -2 * mpmath.asin(mpmath.sqrt(m) * mpmath.ellipfun("cd", w * mpmath.mpf(t), m=m))
+            assert run.at([t])["hinge.angle"][0] == pytest.approx(float(expected), abs=1e-9)
 
 
 # ---- the governor ----------------------------------------------------------------------------------------------------
