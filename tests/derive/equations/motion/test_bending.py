@@ -1,5 +1,7 @@
 """Flexible rods: shapes against SciPy, mass matrix against quadrature of the kinetic energy, equations against energy."""
 
+from functools import cache
+
 import casadi as ca
 import numpy as np
 import pytest
@@ -24,10 +26,8 @@ def body(name, mass, inertia, centre):
     return hd.Body(name, Parameter(f"{name}_mass", "kg", mass), J, (x, y, z))
 
 
-HUB, TIP = (
-    body("hub", 2.0, (0.01, 0.02, 0.025), (0.03, -0.02, 0.0)),
-    body("tip", 0.7, (4e-3, 5e-3, 6e-3), (0.05, 0.04, 0.0)),
-)
+HUB = body("hub", 2.0, (0.01, 0.02, 0.025), (0.03, -0.02, 0.0))
+TIP = body("tip", 0.7, (4e-3, 5e-3, 6e-3), (0.05, 0.04, 0.0))
 ROD = FlexibleRod("rod", LENGTH, MASS, STIFF)
 PINNED = FlexibleRod("rod", LENGTH, MASS, STIFF, ends=("pinned", "pinned"))
 ROUND = FlexibleRod(
@@ -54,13 +54,16 @@ def scene(name, coordinates="tree"):
     return hd.Scene(hd.Mechanism("rods", JOINTS[name]), (gravity, hd.EnergyLedger()), scales, coordinates=coordinates)
 
 
+@cache
+def derived_of(name, coordinates="tree"):
+    return Derived(scene(name, coordinates))
+
+
 def state(derived, bent):
     """Random coordinates and speeds, those of the shapes times `bent`."""
     rng = np.random.default_rng(1)
-    sides = [
-        np.array([bent if ".bend_" in name else 1.0 for name, _ in table])
-        for table in (derived.COORDINATES, derived.SPEEDS)
-    ]
+    tables = derived.COORDINATES, derived.SPEEDS
+    sides = [np.array([bent if ".bend_" in name else 1.0 for name, _ in table]) for table in tables]
     q, u = (rng.uniform(-1, 1, side.size) * side for side in sides)
     return derived.of_norm_one(q), u
 
@@ -69,7 +72,7 @@ def state(derived, bent):
 @pytest.mark.parametrize("name", JOINTS)
 def test_kinetic_energy_is_that_of_the_sections_to_second_order(name, coordinates):
     """Of what is left, an error of third order falls by 8 as the deflections halve."""
-    derived = Derived(scene(name, coordinates))
+    derived = derived_of(name, coordinates)
     rods = [joint for joint in JOINTS[name] if isinstance(joint, FlexibleRod)]
     exact = kinetic_energy(derived, rods, [part for part in (HUB, TIP) if part.name in derived.BODIES])
     errors = []
@@ -83,7 +86,7 @@ def test_kinetic_energy_is_that_of_the_sections_to_second_order(name, coordinate
 
 @pytest.mark.parametrize("name", JOINTS)
 def test_equations_keep_the_energy_and_invert_the_mass_matrix(name):
-    derived = Derived(scene(name))
+    derived = derived_of(name)
     q, u = state(derived, 0.01)
     force = np.random.default_rng(2).uniform(-1, 1, derived.nu)
     assert energy_balance(derived, 0.0, q, u, force, force @ u) < 1e-12
@@ -97,7 +100,7 @@ def test_equations_keep_the_energy_and_invert_the_mass_matrix(name):
 @pytest.mark.parametrize("name", [name for name in JOINTS if "free" not in name])
 def test_accelerations_are_those_of_lagrange_for_that_energy(name):
     """Gyroscopic forces, which do no work, are among them."""
-    derived = Derived(scene(name))
+    derived = derived_of(name)
     q, u = state(derived, 0.01)
     force = np.random.default_rng(3).uniform(-1, 1, derived.nu)
     a, _ = derived.call("accelerations", q=q, u=u, f=derived.call("applied", q=q, u=u) + force)
