@@ -7,12 +7,12 @@ from typing import Any
 
 import sympy as sp
 from bench import evaluate, numbers
-from known import DIGITS, TYPED, Evidence, same
+from known import DIGITS, EXACT, LIMIT, TYPED, Evidence, same
 from mpmath import mp, mpf
 
 from hertzwerk.derive.laws.law import F, d, k_t, m_eff, v, v0
 from reference import laws as cited
-from reference.closed_forms import exact_factor, restitution
+from reference.closed_forms import FACTORS, exact_factor, restitution
 
 # -- damping -----------------------------------------------------------------------------------------------------------
 
@@ -198,3 +198,49 @@ def free_power(law: Any) -> None:
         values = numbers(law, chi=h * K / speed, m=n) | {d: x, v: mpf("0.3")}
         same(evaluate(law.resistance, values), K * x**n * h * mpf("0.3") / speed)
     same(evaluate(law.exponent, numbers(law, m="0.25")), mpf("0.25"))
+
+
+# -- what is known of each ----------------------------------------------------------------------------------------------
+
+
+def _hysteresis(
+    name: str, at_one: Any, at_zero: Any, defined: str, recommended: str, *more: Evidence
+) -> tuple[Evidence, ...]:
+    formula = FACTORS.get(name)
+    typed = (factor_is(formula),) if formula is not None else ()
+    return (*typed, limits_are(at_one, at_zero), bounds_are(defined, recommended), *more)
+
+
+R = sp.Rational
+ELASTIC = Evidence(LIMIT, "the exact relation as e goes to 1", nearly_elastic)
+PLASTIC = Evidence(LIMIT, "the exact relation as e goes to 0", nearly_plastic)
+OSCILLATOR_1 = Evidence(EXACT, "the linear oscillator returns e", oscillator(mpf(1)))
+OSCILLATOR = Evidence(EXACT, "linear in d^(5/4): returns e", oscillator(mpf("1.5")))
+
+
+EVIDENCE: dict[str, tuple[Evidence, ...]] = {
+    "hunt_crossley": _hysteresis("hunt_crossley", 0, R(3, 2), "[0, 1]", "[0.8, 1]", ELASTIC, least("0.4877")),
+    "herbert_mcwhannell": _hysteresis("herbert_mcwhannell", 0, R(3, 2), "[0, 1]", "(0.8, 1]", ELASTIC),
+    "lee_wang": _hysteresis("lee_wang", 0, R(3, 4), "[0, 1]", "(0.8, 1]"),
+    "lankarani_nikravesh": _hysteresis("lankarani_nikravesh", 0, R(3, 4), "[0, 1]", "(0.8, 1]", ELASTIC, least("0.6630")),
+    "gonthier": _hysteresis("gonthier", 0, sp.oo, "(0, 1]", "(0, 1]", PLASTIC),
+    "zhiying_qishao": _hysteresis("zhiying_qishao", 0, 3 * sp.exp(2) / 4, "[0, 1]", "(0.33, 1]", ELASTIC),
+    "flores": _hysteresis("flores", 0, sp.oo, "(0, 1]", "(0, 1]", Evidence(EXACT, "its own balance of work", work_balance("flores"))),
+    "gharib_hurmuzlu": _hysteresis("gharib_hurmuzlu", 1, sp.oo, "(0, 1]", "(0, 0.2]", PLASTIC),
+    "hu_guo": _hysteresis("hu_guo", 0, sp.oo, "(0, 1]", "(0, 1]", ELASTIC, Evidence(EXACT, "its own balance of work", work_balance("hu_guo"))),
+    "carvalho_martins": _hysteresis("carvalho_martins", 0, R(33, 2), "[0, 1]", "(0, 1]", ELASTIC),
+    "safaeifar_farshidianfar": (
+        factor_is(lambda e: 5 * (1 - e) / (4 * e)), *_hysteresis("safaeifar_farshidianfar", 0, sp.oo, "(0, 1]", "(0, 1]"),
+    ),
+    "exact": _hysteresis("exact", 0, sp.oo, "(0, 1]", "(0, 1]", Evidence(EXACT, "each step of the chain", exact_chain),
+                         Evidence(EXACT, "root of the exact relation", exact_root)),
+    "kelvin_voigt": (OSCILLATOR_1, limits_are(0, 1), bounds_are("(0, 1]", "(0, 1]"), damping_exponent("0")),
+    "ristow": (resists(lambda K, x, speed, mass: 10_000 * mass * speed), damping_exponent("0")),
+    "power_damping": (Evidence(EXACT, "hysteresis with m = n, and one form for all m", free_power),),
+    "tsuji": (OSCILLATOR, limits_are(0, sp.sqrt(5)), bounds_are("(0, 1]", "(0, 1]"), damping_exponent("0.25")),
+    "kuwabara_kono": (Evidence(DIGITS, "1 - e to first order, 1.15345", kuwabara_loss), damping_exponent("0.5")),
+    "jankowski": (Evidence(DIGITS, "restitution returned", jankowski_out), limits_are(0, sp.oo), bounds_are("(0, 1]", "(0, 1]"),
+                  damping_exponent("0.25"),
+                  resists(lambda K, x, speed, mass: 9 * mp.sqrt(5) * mpf("0.51") / (mpf("0.7") * (mpf("0.7") * (9 * mp.pi - 16) + 16))
+                          * mp.sqrt(mass * K) * x ** mpf("0.25") * max(speed, 0))),
+}  # fmt: skip

@@ -8,7 +8,7 @@ from typing import Any
 
 from bench import evaluate, numbers
 from film import ETA, LENGTH, PIN, C, by_quadrature
-from known import SHARP, TYPED, Evidence, same
+from known import DIGITS, EXACT, QUADRATURE, SHARP, TYPED, Evidence, same
 from mpmath import mp, mpf
 
 from hertzwerk.derive.laws.law import N, s, z
@@ -179,3 +179,36 @@ def brenner_typed(law: Any) -> None:
     for nearness in map(mpf, ("1e-3", "0.3", "7")):
         fitted = mpf("0.028736") / (1 + mpf("0.94") * mp.sqrt(nearness) + mpf("0.115") * nearness)
         same(drag_of(law, "0.02", nearness / 50), 1 + 1 / nearness + mp.log(1 + 1 / nearness) / 5 - fitted)
+
+
+# -- what is known of each ----------------------------------------------------------------------------------------------
+
+
+SLOPE = Evidence(EXACT, "the slope at rest is the derivative", slope_at_rest, of_the_force=False)
+
+
+EVIDENCE: dict[str, tuple[Evidence, ...]] = {
+    "coulomb": (Evidence(EXACT, "the cone", coulomb_cone),),
+    "smooth_coulomb": (Evidence(EXACT, "creep on an incline", creep), SLOPE, drags(lambda x, n, p: p["mu"] * n * mp.tanh(x / p["v_s"]))),
+    "ambrosio": (drags(lambda x, n, p: p["mu"] * n * min(max((x - p["v_a"]) / (p["v_b"] - p["v_a"]), 0), 1), lambda n, p: mpf(0)),),
+    "threlfall": (Evidence(DIGITS, "0.95 beyond the transition", threlfall_published), SLOPE,
+                  drags(lambda x, n, p: p["mu"] * n * (1 - mp.exp(-3 * min(x, p["v_r"]) / p["v_r"])))),
+    "stribeck": (drags(lambda x, n, p: n * curve(x, p) * mp.tanh(x / p["v_s"]) + p["c_v"] * x), SLOPE),
+    "brown_mcphee": (
+        Evidence(EXACT, "the top of its curve", brown_published), SLOPE,
+        drags(lambda x, n, p: n * (p["mu_k"] * mp.tanh(4 * x / p["v_S"]) + (p["mu_s"] - p["mu_k"]) * (x / p["v_S"])
+                                   / (mpf("0.25") * (x / p["v_S"]) ** 2 + mpf("0.75")) ** 2) + p["c_v"] * x * mp.tanh(4 * n / p["N_t"])),
+    ),
+    "bengisu_akay": (
+        SLOPE,
+        drags(lambda x, n, p: n * (p["mu_s"] - p["mu_s"] / p["v_S"] ** 2 * (x - p["v_S"]) ** 2 if x < p["v_S"]
+                                   else p["mu_k"] + (p["mu_s"] - p["mu_k"]) * mp.exp(-p["xi"] * (x - p["v_S"])))),
+    ),
+    "lugre": (Evidence(EXACT, "steady sliding on its Stribeck curve", lugre_bristle),),
+    "short_bearing": (Evidence(QUADRATURE, "Reynolds' equation", reynolds),),
+    "long_bearing": (Evidence(QUADRATURE, "Reynolds' equation", reynolds),),
+    "short_bearing_full": (Evidence(QUADRATURE, "both halves by Reynolds' equation", full_film),),
+    "long_bearing_full": (Evidence(QUADRATURE, "both halves by Reynolds' equation", full_film),),
+    "sphere_film": (Evidence(QUADRATURE, "Reynolds' equation of a paraboloid", paraboloid),),
+    "brenner": (Evidence(EXACT, "Brenner's series, and both its limits", sphere_before_plane), Evidence(TYPED, "typed again", brenner_typed)),
+}  # fmt: skip

@@ -7,7 +7,7 @@ from typing import Any
 
 from bench import evaluate, numbers
 from known import DIGITS, EXACT, TYPED, Evidence, same
-from known_stiffness import PAIRS, Bodies
+from known_stiffness import PAIRS, SMALLER, Bodies
 from mpmath import mp, mpf
 
 from hertzwerk.derive.laws.law import F_m, d, d_m, d_r, h_m
@@ -180,3 +180,13 @@ JACKSON_GREEN = (
     takes_over(_hertz, _jackson_force, "1.9"),
     Evidence(TYPED, "up to a contact radius of 0.41 R", reach_of_radius, of_the_force=False),
 )
+
+
+# -- what is known of each ----------------------------------------------------------------------------------------------
+
+
+EVIDENCE: dict[str, tuple[Evidence, ...]] = {
+    "thornton": (*THORNTON, SMALLER),
+    "kogut_etsion": KOGUT_ETSION,
+    "jackson_green": JACKSON_GREEN,
+}  # fmt: skip

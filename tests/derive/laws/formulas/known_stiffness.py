@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from bench import evaluate, numbers
-from known import DIGITS, EXACT, LIMIT, SHARP, TYPED, Evidence, same
+from known import DIGITS, EXACT, LIMIT, QUADRATURE, SHARP, TYPED, Evidence, same
 from mpmath import mp, mpf
 
 from hertzwerk.derive.laws import LAWS
@@ -434,3 +434,125 @@ def chord(b: Bodies, depth: Any) -> Any:
 def popov(b: Bodies, depth: Any) -> Any:
     """One quarter of pi E* per unit of length."""
     return b.star * b.L * depth * mp.atan(1)
+
+
+# -- what is known of each ----------------------------------------------------------------------------------------------
+
+
+def goldsmith_quoted(b: Any, q: Any) -> Any:
+    """F s/L (ln(L/(F R s)) + 1), s of both bodies: the numbers of SI, for the logarithm is of 1/m^2."""
+    s = 2 / (mp.pi * b.plane_strain)
+    return q * s / b.L * (1 + mp.log(b.L / (q * b.R * s)))
+
+
+LOG = {
+    "johnson": ("both bodies to their centres", lambda b, q: both_halves(b, q, -1), {}),
+    "hertz_cylinder": (
+        "as quoted by Pereira et al.",
+        lambda b, q: 2 * q / (mp.pi * b.star * b.L) * (2 * mp.log(2 * mp.sqrt(b.R * b.dR) / b.half_width(q)) - 1), {},
+    ),
+    "radzimovsky": ("Roark's table", radzimovsky_roark, WHOLE_WIDTH),
+    "goldsmith": ("as quoted", goldsmith_quoted, {}),
+    "goldsmith_m3": ("long strip", strip_closed, {}),
+    "dubowsky_freudenstein": ("long strip", strip_closed, {}),
+    "esdu_78035": ("Johnson's with + 1 for - 1", lambda b, q: both_halves(b, q, 1), {}),
+    "wang_liu_johnson": ("both bodies to their centres", lambda b, q: both_halves(b, q, -1), {}),
+}  # fmt: skip
+
+
+def _log(name: str) -> tuple[Evidence, ...]:
+    what, relation, options = LOG[name]
+    return tuple(log_law(relation, TYPED, what, **options))
+
+
+HALF_SPACE = Evidence(QUADRATURE, "Hertz's strip on a half-space", half_space_agrees)
+COMPRESSION = Evidence(QUADRATURE, "strains of cylinders pressed across", compression_agrees(ellipse))
+PUBLISHED = Evidence(DIGITS, "forces of aluminium, 10 digits", johnson_published)
+UNITS = Evidence(EXACT, "the reference quantities are the units of the fit", named_units, of_the_force=False)
+
+
+def fitted_clearance() -> Evidence:
+    def check(law: Any) -> None:
+        (row,) = law.ranges
+        assert (row.quantity.name, row.kind, row.interval.lower, row.interval.upper) == ("dR", "defined", 5e-6, 1e-2)
+
+    return Evidence(TYPED, "fitted for clearances of 0.005 to 10 mm", check, of_the_force=False)
+
+
+def exponents_of_cylinders() -> Evidence:
+    def check(law: Any) -> None:
+        (row,) = law.ranges
+        assert (row.quantity.name, row.kind, row.interval.lower, row.interval.upper) == ("n", "recommended", 1, 1.5)
+        same(evaluate(law.exponent, numbers(law, n="1.2")), mpf("1.2"))
+
+    return Evidence(TYPED, "n of 1 to 1.5", check, of_the_force=False)
+
+
+def local_exponent(**given: Any) -> Evidence:
+    """d ln F/d ln d is the stated exponent."""
+
+    def check(law: Any) -> None:
+        values = numbers(law, **given)
+        one, two = (evaluate(law.force, values | {d: mpf(x)}) for x in ("1e-6", "1e-5"))
+        same(evaluate(law.exponent, values), mp.log(two / one) / mp.log(10))
+
+    return Evidence(EXACT, "the exponent is the local one", check, of_the_force=False)
+
+
+EVIDENCE: dict[str, tuple[Evidence, ...]] = {
+    "hertz_point": (
+        digits("hertz_point"), force_is(QUADRATURE, "Hertz's pressure on a half-space", hertz_by_quadrature), SMALLER, local_exponent(),
+    ),
+    "power": (Evidence(EXACT, "2.4e9 N/m^n at 1 um", general_power),),
+    "galin_sneddon": (
+        *(force_is(QUADRATURE, f"Sneddon's integrals, k = {k}", sneddon_by_quadrature(mpf(k), mpf(c)), k=k, C=c)
+          for k, c in (("2", "3"), ("4", "500"))),
+        force_is(EXACT, "a cone, 2 E* d^2/(pi tan)", lambda b, x: 2 * b.star * x**2 / (mp.pi * mpf("0.3")), k="1", C="0.3"),
+        local_exponent(k="4", C="500"),
+    ),
+    "palmgren": (in_millimetres(palmgren_mm, lambda b: mpf(10) / 9, PAIRS), SMALLER),
+    "palmgren_si": (force_is(TYPED, "as printed", palmgren_mm), Evidence(TYPED, "in other units", other_units), SMALLER, UNITS, local_exponent(),
+                    near_johnson("side by side")),
+    "pereira_internal": (in_millimetres(pereira_mm(True), pereira_exponent, (*PAIRS, THIN, *SEAM)), SMALLER, fitted_clearance()),
+    "pereira_internal_si": (
+        digits("pereira_internal_si"), force_is(TYPED, "as printed", pereira_mm(True), pairs=(*PAIRS, THIN, *SEAM)),
+        SMALLER, fitted_clearance(), UNITS, local_exponent(), near_johnson("inside"),
+    ),
+    "pereira_external": (in_millimetres(pereira_mm(False), lambda b: mpf("1.094"), PAIRS), SMALLER),
+    "pereira_external_si": (force_is(TYPED, "as printed", pereira_mm(False)), SMALLER, UNITS, local_exponent(), near_johnson("side by side")),
+    "lankarani_nikravesh_cylinders": (
+        force_is(LIMIT, "Hertz at n = 3/2", hertz_by_quadrature, n="1.5"), exponents_of_cylinders(), local_exponent(n="1.1"),
+    ),
+    "liu": (digits("liu_with_length", "0.015"), force_is(TYPED, "per length", lambda b, x: liu_formula(b, x) / b.L), SMALLER),
+    "liu_with_length": (digits("liu_with_length"), force_is(TYPED, "as printed, with L", liu_formula), SMALLER),
+    "bai_zhao": (force_is(EXACT, "derivative of Liu's force, times d^1.5", lambda b, x: tangent_of_liu(b, x) * x ** mpf("1.5"), mpf("1e-10")),
+                 SMALLER, exponent_is("1.5")),
+    "bai_zhao_repaired": (
+        force_is(EXACT, "derivative of Liu's force, times L d", lambda b, x: tangent_of_liu(b, x) * b.L * x, mpf("1e-10")), SMALLER,
+    ),
+    "persson": (
+        force_is(TYPED, "as Ciavarella and Decuzzi print it", persson_formula), Evidence(LIMIT, "Hertz's half-width", persson_is_hertz),
+        reach_is(lambda b: 8 * b.dR, "8 clearances"),
+    ),
+    "popov_line": (digits("popov_line"), force_is(TYPED, "quarter of pi E*", popov), SMALLER, local_exponent()),
+    "hertz_half_width": (force_is(EXACT, "Hertz's half-width is the chord", chord), SMALLER, local_exponent()),
+    "johnson": (digits("johnson"), PUBLISHED, COMPRESSION, *_log("johnson")),
+    "hertz_cylinder": _log("hertz_cylinder"),
+    "radzimovsky": (
+        *_log("radzimovsky"), Evidence(QUADRATURE, "strains under a parabola of pressure over Hertz's width", compression_agrees(parabola)),
+        Evidence(EXACT, "b is Hertz's whole width", hertz_width, of_the_force=False),
+        Evidence(DIGITS, "Roark's width, of diameters", roark_width, of_the_force=False),
+    ),
+    "goldsmith": _log("goldsmith"),
+    "goldsmith_m3": (digits("goldsmith_m3"), HALF_SPACE, *_log("goldsmith_m3")),
+    "dubowsky_freudenstein": (digits("dubowsky_freudenstein"), HALF_SPACE, *_log("dubowsky_freudenstein")),
+    "esdu_78035": (digits("esdu_78035"), *_log("esdu_78035")),
+    "wang_liu_external": (digits("wang_liu_external"), force_is(TYPED, "quarter of pi E*", popov), SMALLER, local_exponent()),
+    "wang_liu_internal": (
+        force_is(EXACT, "Hertz's half-width is the chord", chord), Evidence(LIMIT, "the slope of Persson's law at the onset", persson_onset),
+        SMALLER, local_exponent(),
+    ),
+    "wang_liu_half_width": (force_is(EXACT, "Hertz's half-width is the chord", chord), SMALLER, local_exponent()),
+    "wang_liu_secant": (digits("wang_liu_secant"), force_is(TYPED, "the secant of Liu's law, with L", liu_formula), SMALLER, exponent_is("1")),
+    "wang_liu_johnson": (digits("wang_liu_johnson"), COMPRESSION, *_log("wang_liu_johnson"), exponent_is("1")),
+}  # fmt: skip
