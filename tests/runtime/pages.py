@@ -11,10 +11,8 @@ from html.parser import HTMLParser
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
 VOID = ("meta", "br", "col", "img", "link", "wbr")
-WIDTHS = (
-    1232,
-    736,
-)  # px: of a window of 1280; of A4 within its margins, and the padding that a page has on screens alone
+# px: of a window of 1280; of A4 within its margins, and the padding that a page has on screens alone
+WIDTHS = (1232, 736)
 
 LISTENING = """
 window.violations = [];
@@ -71,15 +69,10 @@ def seen(html, folder):
     html = html.replace("script-src", allowed).replace("<title>", f"<script>{scripts[0]}</script><title>")
     page = folder / "probed.html"
     page.write_text(html.replace("</body>", f"<script>{scripts[1]}</script></body>"), encoding="utf-8")
-    quiet = [
-        "--disable-quic",
-        "--no-first-run",
-        "--disable-background-networking",
-        "--disable-component-update",
-        "--disable-sync",
-    ]
+    off = ("quic", "background-networking", "component-update", "sync", "gpu")
+    quiet = ["--no-first-run", "--no-sandbox", *(f"--disable-{what}" for what in off)]
     done = subprocess.run(
-        [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", *quiet, f"--user-data-dir={folder / 'profile'}",
+        [BROWSER, "--headless", *quiet, f"--user-data-dir={folder / 'profile'}",
          "--window-size=1280,2000", "--dump-dom", page.as_uri()],
         capture_output=True, text=True, timeout=300, check=True,
     )  # fmt: skip

@@ -12,12 +12,9 @@ DISC, RIM, GRAVITY, MU = 2.0, 0.1, 9.81, 0.2  # kg, m, m/s^2, 1
 
 def flat_disc(*more, **coordinates):
     """A disc, m R^2/2, that carries its weight on its whole face."""
-    mass, rim, radius = (
-        hd.Parameter("mass", "kg", DISC),
-        hd.Parameter("rim", "m", RIM),
-        hd.Parameter("radius", "m", 0.01),
-    )
-    gravity, stiffness = hd.Parameter("gravity", "m/s^2", GRAVITY), hd.Parameter("stiffness", "N/m", 1e5)
+    p = hd.Parameter
+    mass, rim, radius = p("mass", "kg", DISC), p("rim", "m", RIM), p("radius", "m", 0.01)
+    gravity, stiffness = p("gravity", "m/s^2", GRAVITY), p("stiffness", "N/m", 1e5)
     tray, disc = hd.Body("tray", 0), hd.Body("disc", mass, (mass * rim**2 / 4, mass * rim**2 / 2, mass * rim**2 / 4))
     joints = (hd.Planar("floor_plane", hd.GROUND, tray, normal=hd.Y), hd.Prismatic("up", tray, disc, axis=hd.Y))
     return hd.Scene(
@@ -33,10 +30,7 @@ def flat_disc(*more, **coordinates):
         hd.Scales(length=hd.Parameter("depth", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 1), arm=rim),
         hd.Start(
             position={"up": radius - mass * gravity / stiffness},
-            speed={
-                "floor_plane.x": hd.Parameter("slide", "m/s", 1),
-                "floor_plane.angle": hd.Parameter("spin", "rad/s", 10),
-            },
+            speed={"floor_plane.x": p("slide", "m/s", 1), "floor_plane.angle": p("spin", "rad/s", 10)},
         ),
         **coordinates,
     )

@@ -113,13 +113,6 @@ def test_a_varied_model_is_the_scene_varied():
     assert load(BALL).engine is BALL.engine
 
 
-def test_whole_numbers_are_whole():
-    with pytest.raises(InputError) as caught:
-        simulate(BALL, **SHORT, max_steps=1.5, max_events=2.5)  # type: ignore[arg-type]
-    assert {fault.where for fault in caught.value.faults} == {"max_steps", "max_events"}
-    assert simulate(BALL, **SHORT, max_steps=1e6).outcome.finished  # type: ignore[arg-type]
-
-
 def test_a_scene_is_run_as_long_as_the_data_it_is_compared_with_last():
     actual, run = compare("bouncing_ball", WAVE, tolerance=1e-6), simulate(BALL, duration="58 ms", tolerance=1e-6)
     assert actual.solution.engine.t_end == pytest.approx(0.058, rel=1e-15)

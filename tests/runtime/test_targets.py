@@ -6,11 +6,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
+from commands import called
 
 from hertzwerk import InputError, load, simulate
 from hertzwerk.runtime import Model, study_effects, sweep
-from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.build import file_of, located_target, split_target
 
 SCENES = """
@@ -49,8 +48,7 @@ def derived(tmp_path_factory):
     (folder / "plant" / "scenes.py").write_text(two)
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
-        said = CliRunner().invoke(main, ["derive", "my_ball.py", "balls.py:light", "plant.scenes:heavy"])
-    assert said.exit_code == 0, said.output
+        called("derive", "my_ball.py", "balls.py:light", "plant.scenes:heavy")
     return folder
 
 
@@ -62,9 +60,7 @@ def project(derived, tmp_path, monkeypatch):
 
 
 def told(*words, code=0):
-    said = CliRunner().invoke(main, [*map(str, words)])
-    assert said.exit_code == code, said.output
-    return said.output
+    return called(*words, code=code).output
 
 
 def test_a_module_is_written_beside_its_scene_and_never_over_it(project):
@@ -79,10 +75,8 @@ def test_a_module_is_written_beside_its_scene_and_never_over_it(project):
 
 
 def test_a_generated_module_runs_bit_by_bit_as_its_scene(project):
-    runs = [
-        simulate(load(target), **RUN)
-        for target in ("my_ball.py", "my_ball_generated.py", project / "my_ball_generated.py")
-    ]
+    targets = "my_ball.py", "my_ball_generated.py", project / "my_ball_generated.py"
+    runs = [simulate(load(target), **RUN) for target in targets]
     assert len({run.engine.history.rows.tobytes() for run in runs}) == 1
     assert len(runs[0].impacts) == 1
     module = load("my_ball_generated.py").engine.module
@@ -117,10 +111,7 @@ def test_a_scene_or_module_is_found_by_its_name(project, target, name, source):
         ("plant.scenes:nothing", "no `nothing`; expected one of plant.scenes:light"),
         ("plant.other:heavy", "no module of this name; expected a module that is installed, or in the working folder"),
         ("nowhere:scene", "no module of this name"),
-        (
-            "my_ball_generated.py:scene",
-            "`scene` of a generated module; expected the module itself, my_ball_generated.py",
-        ),
+        ("my_ball_generated.py:scene", "`scene` of a generated module; expected the module itself, my_ball_gen"),
         ("light_bal", "no scene of this name"),
     ],
 )
@@ -195,9 +186,8 @@ def test_a_check_says_in_one_line_that_no_module_is_in_place(project):
 def test_a_sweep_of_a_module_goes_on_and_not_with_another(project):
     for target in ("light_ball.py", "plant.scenes:heavy"):
         into = f"sweep of {target[0]}"
-        table = sweep(
-            target, over={"restitution": [0.5, 0.7]}, outputs=["impacts"], duration="60 ms", tolerance=1e-6, out=into
-        )
+        how = {"outputs": ["impacts"], "duration": "60 ms", "tolerance": 1e-6, "out": into}
+        table = sweep(target, over={"restitution": [0.5, 0.7]}, **how)
         assert [row.outcome for row in table] == ["finished"] * 2
         told("sweep", "--resume", into)
         file = file_of(target)

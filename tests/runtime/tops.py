@@ -5,17 +5,14 @@ import math
 import hertzwerk.derive as hd
 from hertzwerk.derive.laws import kelvin_voigt, power
 
+p = hd.Parameter
 DISC, RING, GRAVITY = 2.0, 0.1, 9.81  # kg, m, m/s^2
 
 
 def curling(law, feet):
     """A disc, m R^2/2, on feet at its rim, level: each carries its part of the weight."""
-    mass, rim, radius = (
-        hd.Parameter("mass", "kg", DISC),
-        hd.Parameter("rim", "m", RING),
-        hd.Parameter("radius", "m", 0.01),
-    )
-    gravity, stiffness = hd.Parameter("gravity", "m/s^2", GRAVITY), hd.Parameter("stiffness", "N/m", 1e5)
+    mass, rim, radius = p("mass", "kg", DISC), p("rim", "m", RING), p("radius", "m", 0.01)
+    gravity, stiffness = p("gravity", "m/s^2", GRAVITY), p("stiffness", "N/m", 1e5)
     tray, disc = hd.Body("tray", 0), hd.Body("disc", mass=mass, inertia=mass * rim**2 / 2)
     joints = (hd.Planar("floor", hd.GROUND, tray, normal=hd.Y), hd.Prismatic("up", tray, disc, axis=hd.Y))
     effects = [hd.Gravity("gravity", gravity, direction=-hd.Y), hd.EnergyLedger()]
@@ -41,21 +38,15 @@ TOP, OFFSET, BALL = 0.006, 0.003, 0.015  # kg, m, m
 
 def tippe_top(law):
     """A ball whose mass centre lies OFFSET below its middle, spun about its axis, which is tilted a little."""
-    mass, radius, offset = (
-        hd.Parameter("mass", "kg", TOP),
-        hd.Parameter("radius", "m", BALL),
-        hd.Parameter("offset", "m", OFFSET),
-    )
-    gravity, stiffness = hd.Parameter("gravity", "m/s^2", GRAVITY), hd.Parameter("stiffness", "N/m", 2e3)
+    mass, radius, offset = p("mass", "kg", TOP), p("radius", "m", BALL), p("offset", "m", OFFSET)
+    gravity, stiffness = p("gravity", "m/s^2", GRAVITY), p("stiffness", "N/m", 2e3)
     axial = hd.Parameter("axial", "1", 0.4) * mass * radius**2
     across = hd.Parameter("across", "1", 131 / 132 * 0.4) * mass * radius**2
     top = hd.Body("top", mass=mass, inertia=(across, axial, across))
+    floor = hd.SphereOnPlane("floor", top.at(0, offset, 0), radius, hd.GROUND.at(0, 0, 0), hd.Y)
+    height = radius - offset * math.cos(0.1) - mass * gravity / stiffness
     return hd.Scene(
-        hd.Mechanism(
-            "tippe_top",
-            (hd.Free("flight", hd.GROUND, top),),
-            (hd.SphereOnPlane("floor", top.at(0, offset, 0), radius, hd.GROUND.at(0, 0, 0), hd.Y),),
-        ),
+        hd.Mechanism("tippe_top", (hd.Free("flight", hd.GROUND, top),), (floor,)),
         (
             hd.Gravity("gravity", gravity, direction=-hd.Y),
             hd.Contact("floor", power(stiffness, 1), kelvin_voigt(hd.Parameter("restitution", "1", 0.1))),
@@ -64,11 +55,7 @@ def tippe_top(law):
         ),
         hd.Scales(length=hd.Parameter("depth", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 0.5), arm=radius),
         hd.Start(
-            position={
-                "flight.y": radius - offset * math.cos(0.1) - mass * gravity / stiffness,
-                "flight.q0": math.cos(0.05),
-                "flight.q3": math.sin(0.05),
-            },
+            position={"flight.y": height, "flight.q0": math.cos(0.05), "flight.q3": math.sin(0.05)},
             speed={"flight.angular_speed_y": hd.Parameter("spin", "rad/s", 155)},
         ),
     )

@@ -5,29 +5,21 @@ from dataclasses import replace
 import hertzwerk.derive as hd
 from hertzwerk.derive.scenes.slider_crank import crank, scene
 
+p = hd.Parameter
 THROW, ARM, YOKE = 0.05, 0.04, 2.0
 
 
 def counterweight(body, arm):
     """A mass of its own opposite the crank pin, fixed to the crank."""
-    weight = hd.Body(
-        "weight", hd.Parameter("counterweight", "kg", 0.1), hd.Parameter("counterweight_inertia", "kg m^2", 1e-6)
-    )
+    weight = hd.Body("weight", p("counterweight", "kg", 0.1), p("counterweight_inertia", "kg m^2", 1e-6))
     return hd.Weld("mount", body.at(-arm, 0, 0), weight)
 
 
 def scotch_yoke():
     """A yoke driven in x = r cos(w t) by a massless block in its slot: a single harmonic force on the bearing."""
-    r, speed, arm = (
-        hd.Parameter("throw", "m", THROW),
-        hd.Parameter("speed", "rad/s", 100),
-        hd.Parameter("arm", "m", ARM),
-    )
-    wheel, yoke, block = (
-        hd.Body("wheel", hd.Parameter("wheel_mass", "kg", 1), hd.Parameter("wheel_inertia", "kg m^2", 1e-4)),
-        hd.Body("yoke", hd.Parameter("yoke_mass", "kg", YOKE)),
-        hd.Body("block", 0),
-    )
+    r, speed, arm = p("throw", "m", THROW), p("speed", "rad/s", 100), p("arm", "m", ARM)
+    wheel = hd.Body("wheel", p("wheel_mass", "kg", 1), p("wheel_inertia", "kg m^2", 1e-4))
+    yoke, block = hd.Body("yoke", p("yoke_mass", "kg", YOKE)), hd.Body("block", 0)
     joints = (
         hd.Revolute("bearing", hd.GROUND, wheel, axis=hd.Z),
         hd.Revolute("pin", wheel.at(r, 0, 0), block, axis=hd.Z),

@@ -22,10 +22,8 @@ from hertzwerk.runtime.loading import engine_model
 
 DURATION, TOLERANCE, STEPS = 6e-3, 1e-9, (30, 100, 300, 1000, 3000)
 STIFFNESS, DAMPING = 200.0, 0.05  # of the shaft [N m/rad, N m s/rad]
-stiffness, damping = (
-    hd.Parameter("shaft_stiffness", "N m/rad", STIFFNESS),
-    hd.Parameter("shaft_damping", "N m s/rad", DAMPING),
-)
+stiffness = hd.Parameter("shaft_stiffness", "N m/rad", STIFFNESS)
+damping = hd.Parameter("shaft_damping", "N m s/rad", DAMPING)
 rotor = hd.Body("rotor", hd.Parameter("rotor_mass", "kg", 1), hd.Parameter("rotor_inertia", "kg m^2", 2e-3))
 shaft = hd.Revolute("shaft", hd.GROUND, rotor, axis=hd.Z)
 engine = hd.JointForce(

@@ -61,7 +61,7 @@ def test_a_block_that_does_not_do_what_the_page_states_is_found(tmp_path, text, 
         run_page(page_of(tmp_path, text), tmp_path, main)
 
 
-def test_blocks_share_names_files_and_exit_codes(tmp_path):
+def test_blocks_share_names_files_and_exit_codes_and_errors_name_their_line(tmp_path):
     text = (
         "```python\n# half.py\nhalf = 1 / 2\n```\n```toml\n# a.toml\nb = 1\n```\n"
         "```python\nfrom pathlib import Path\nprint(half, Path('a.toml').read_text())\n```\n```output\n0.5 # a... b = 1\n```\n"
@@ -69,9 +69,6 @@ def test_blocks_share_names_files_and_exit_codes(tmp_path):
     )
     run_page(page_of(tmp_path, text), tmp_path, main)
     assert (tmp_path / "half.py").is_file()
-
-
-def test_an_error_names_the_line_of_the_page(tmp_path):
     with pytest.raises(ZeroDivisionError) as raised:
         run_page(page_of(tmp_path, "One\n\n```python\n\n1 / 0\n```\n"), tmp_path, main)
     assert raised.traceback[-1].lineno + 1 == 5

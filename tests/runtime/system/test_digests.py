@@ -3,20 +3,14 @@
 import json
 
 import pytest
-from click.testing import CliRunner
+from commands import called
 
-from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.cli.page_folder import REQUEST, ROWS
 from hertzwerk.runtime.system import digests
 from hertzwerk.runtime.system.digests import record_text
 
-RECORD = {
-    "values": {"restitution": 0.1 + 0.2},
-    "names": ("a",),
-    "none": None,
-    "nan": float("nan"),
-    "by_number": {9: 1, 10: 2},
-}
+RECORD = {"values": {"restitution": 0.1 + 0.2}, "names": ("a",), "none": None, "nan": float("nan")}
+RECORD |= {"by_number": {9: 1, 10: 2}}
 
 
 def test_a_flipped_bit_is_refused_or_changes_nothing(tmp_path):
@@ -37,18 +31,13 @@ def test_a_flipped_bit_is_refused_or_changes_nothing(tmp_path):
     assert refused > 0.9 * len(bits)
 
 
-def hertzwerk(*arguments):
-    done = CliRunner().invoke(main, list(map(str, arguments)))
-    return done.exit_code, " ".join(done.output.split())
+OUTPUT = ("--output", "final.vertical.speed")
 
 
 @pytest.mark.parametrize(
     ("file", "arguments"),
     [
-        (
-            "fit.json",
-            ("propagate", "bouncing_ball", "--output", "final.vertical.speed", "--duration", "0.1 s", "--fitted"),
-        ),
+        ("fit.json", ("propagate", "bouncing_ball", *OUTPUT, "--duration", "0.1 s", "--fitted")),
         ("run.json", ("run", "--duration", "1 s", "--continue")),
         (f"{ROWS}/{REQUEST}", ("study", "--resume")),
         ("study.json", ("report",)),
@@ -57,10 +46,6 @@ def hertzwerk(*arguments):
 )
 def test_damaged_records_are_refused(tmp_path, file, arguments):
     (tmp_path / file).parent.mkdir(exist_ok=True)
-    record = digests.sealed(
-        {"distribution": {"names": ["mass"]}, "request": {"target": "bouncing_ball"}, "name": "bouncing"}
-    )
-    (tmp_path / file).write_text(json.dumps({**record, "name": "exponents"}))
-    code, output = hertzwerk(*arguments, tmp_path)
-    assert code == 2, output
-    assert "digest does not fit" in output
+    content = {"distribution": {"names": ["mass"]}, "request": {"target": "bouncing_ball"}, "name": "bouncing"}
+    (tmp_path / file).write_text(json.dumps({**digests.sealed(content), "name": "exponents"}))
+    assert "digest does not fit" in " ".join(called(*arguments, tmp_path, code=2).output.split())

@@ -64,12 +64,9 @@ def test_errors_of_tasks_are_raised_and_no_process_is_left(monkeypatch):
     assert own.exitcode == 0
 
 
-def test_no_tasks_are_nothing():
-    assert side_by_side([]) == {}
-
-
 def test_the_first_task_is_done_here(monkeypatch):
     """Its stage is shown on the terminal, which other processes have not."""
     monkeypatch.setattr(module, "cores", lambda: 3)
     for _ in range(5):
         assert side_by_side([os.getpid] * 3)[0] == os.getpid()
+    assert side_by_side([]) == {}

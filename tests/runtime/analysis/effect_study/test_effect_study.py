@@ -56,7 +56,7 @@ def springs():
     return study_effects(SPRINGS, duration=DURATION, outputs=("peak_acceleration", SPEED, MEAN))
 
 
-def test_a_spring_in_parallel_changes_what_it_does_in_closed_form(springs):
+def test_a_spring_in_parallel_changes_what_it_does_in_closed_form_within_the_errors(springs):
     rows = {row.effect: row for row in springs.rows}
     (stiff, without) = (STIFFNESS * (1 + part) for part in (TINY + WHISPER, WHISPER))
     omega = math.sqrt(stiff / MASS)
@@ -69,9 +69,6 @@ def test_a_spring_in_parallel_changes_what_it_does_in_closed_form(springs):
     assert changes[SPEED].relative == pytest.approx(math.sqrt(without / stiff) - 1, abs=changes[SPEED].noise)
     assert 0 < changes[SPEED].noise < 1e-5
     assert not rows["spring"].changes["peak_acceleration"].why
-
-
-def test_errors_hold_what_they_say(springs):
     omega = math.sqrt(STIFFNESS * (1 + TINY + WHISPER) / MASS)
     for name, exact in (
         ("peak_acceleration", START * omega**2),
@@ -82,13 +79,16 @@ def test_errors_hold_what_they_say(springs):
         assert abs(number.value - exact) <= number.error < 1e-4 * abs(exact), name
 
 
-def test_changes_below_the_error_count_as_none(springs):
+def test_changes_below_the_error_and_of_no_acceleration_count_as_none(springs):
     """A spring of 1e-9 of the stiffness is in the equations, and below the error of the runs."""
     (row,) = (row for row in springs.rows if row.effect == "whisper")
     assert not row.notes
     change = row.changes[SPEED]
     assert (change.relative, change.why) == (None, "below error")
     assert change.noise > WHISPER
+    (row,) = (row for row in springs.rows if row.effect == "energy_ledger")
+    assert {(change.relative, change.noise) for change in row.changes.values()} == {(None, 0.0)}
+    assert "same accelerations" in row.notes[0]
 
 
 def test_without_an_estimate_of_the_error_it_would_be_a_number(monkeypatch):
@@ -98,12 +98,6 @@ def test_without_an_estimate_of_the_error_it_would_be_a_number(monkeypatch):
     study = study_effects(oscillator(spring("whisper", WHISPER)), duration=DURATION, outputs=(SPEED,))
     (row,) = (row for row in study.rows if row.effect == "whisper")
     assert row.changes[SPEED].relative is not None
-
-
-def test_an_effect_that_changes_no_acceleration_changes_no_output(springs):
-    (row,) = (row for row in springs.rows if row.effect == "energy_ledger")
-    assert {(change.relative, change.noise) for change in row.changes.values()} == {(None, 0.0)}
-    assert "same accelerations" in row.notes[0]
 
 
 def test_costs_are_those_of_the_modules(springs):
@@ -143,20 +137,14 @@ def searched(changes, within, following=None, most=80):
     return smallest(names, within, goes, lambda gone: abs(sum(changes[name] for name in gone)), most)
 
 
-def test_the_search_tries_all_together():
+def test_the_search_tries_all_together_keeps_what_depends_and_is_bounded():
     assert searched({"a": 1.0, "b": 1.0, "c": 1.0}, 2.0).effects == ("c",)
     assert searched({"a": 5.0, "b": -5.0, "c": 9.0}, 2.0).effects == ("c",)
     assert searched({"a": 5.0, "b": 5.0}, 2.0).left_out == ()
-
-
-def test_dependent_effects_go_together_and_failing_runs_keep_theirs():
     following = {"contact": frozenset({"contact", "friction"}), "friction": frozenset({"friction"})}
     actual = searched({"contact": 1.0, "friction": -1.0}, 0.5, following)
     assert actual.left_out == ("contact", "friction")
     assert searched({"a": math.inf, "b": 0.0}, 0.5).effects == ("a",)
-
-
-def test_the_search_is_bounded_and_says_so():
     names = {f"e{i}": 10.0 + i for i in range(12)}
     actual = searched(names, 1.0, most=20)
     assert actual.tried <= 20
@@ -204,16 +192,13 @@ def test_an_effect_that_a_scene_cannot_do_without_says_why():
 # -- errors ------------------------------------------------------------------------------------------------------------
 
 
-def test_the_interval_of_a_mean_is_students():
+def test_the_error_of_a_mean_is_students_and_of_a_ladder_that_of_its_first_run_twice():
     from scipy.special import stdtrit
 
     values = np.array([3.0, 4.0, 4.5, 2.0, 3.3, 3.1, 5.0, 2.2, 3.9])
     number = output_errors._mean(values)
     assert number.value == pytest.approx(values.mean())
     assert number.error == pytest.approx(stdtrit(8, 0.975) * values.std(ddof=1) / 3, rel=1e-3)
-
-
-def test_a_ladder_that_converges_has_the_error_of_its_first_run_twice():
     number = output_errors._converged([1.01, 1.001, 1.0])
     assert number == Number(1.0, pytest.approx(0.02))
 

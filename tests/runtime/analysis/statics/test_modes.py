@@ -163,7 +163,7 @@ def test_a_bead_on_a_turntable_whose_turning_is_frozen(drive, coordinates):
     assert len(actual.notes) == notes
 
 
-def test_orientations_that_nothing_holds_are_zeros_and_reported():
+def test_orientations_that_nothing_holds_are_zeros_and_sticking_joints_are_held():
     """A ball in a socket, turned by 1 rad: three turns, two swings sqrt(g/(c + d)) of the point contact's normal, one bounce."""
     turned = {"float.q0": math.cos(0.5), "float.q1": 0, "float.q2": math.sin(0.5), "float.q3": 0}
     rest = equilibrium(engine_model("ball_in_socket"), initial=turned)
@@ -172,6 +172,9 @@ def test_orientations_that_nothing_holds_are_zeros_and_reported():
     assert [bool(mode.eigenvalue) for mode in actual] == [False] * 3 + [True] * 3
     swing = math.sqrt(G / float(np.linalg.norm(rest.q[:3]))) / (2 * math.pi)
     assert actual.frequencies[:2] == pytest.approx([swing, swing], rel=1e-9)
+    # A particle on a slope under Coulomb's friction: it vibrates along the normal alone, with sqrt(K/m), and is nowhere free.
+    (mode,) = modes(engine_model(ball(dry(), turns=False)), parameters={"slope": "0.1 rad"})
+    assert mode.natural_frequency == pytest.approx(math.sqrt(STIFFNESS / MASS) / (2 * math.pi), rel=1e-6)
 
 
 def test_texts_tables_and_pictures(pendulum, tmp_path):
@@ -196,9 +199,3 @@ def test_the_inset_shows_where_the_pin_is_in_a_bush_that_has_turned():
     pin, bush = (drawing.parts.at(mark, 0) for mark in inset.marks)
     assert np.linalg.norm(pin - bush) > 0
     assert inset.path[0] == pytest.approx((pin - bush) * (inset.exaggerated or 1.0), rel=1e-9)
-
-
-def test_sticking_joints_are_held_in_modes():
-    """A particle on a slope under Coulomb's friction: it vibrates along the normal alone, with sqrt(K/m), and is nowhere free."""
-    (mode,) = modes(engine_model(ball(dry(), turns=False)), parameters={"slope": "0.1 rad"})
-    assert mode.natural_frequency == pytest.approx(math.sqrt(STIFFNESS / MASS) / (2 * math.pi), rel=1e-6)

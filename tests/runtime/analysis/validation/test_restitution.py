@@ -39,12 +39,21 @@ def expected(name, e):
     return e  # tsuji, kelvin_voigt: exact, as the contact ends at d = 0
 
 
-def test_the_study_covers_every_damping_law(study):
+def test_the_study_covers_every_damping_law_and_agrees_as_its_worst_does(study):
     assert {c.law for c in (*study.curves, *study.others)} == set(TRIALS)
     assert {c.law for c in study.others} == {"ristow", "kuwabara_kono", "power_damping"}
     assert GRID[0] == 0.05
     assert GRID[-1] == 0.99
     assert all(np.isfinite(c.simulated).all() for c in (*study.curves, *study.others))
+    assert study.agrees
+    assert study.difference < 1e-10
+    assert study.difference == max(np.max(np.abs(c.simulated - c.closed)) for c in study.curves)
+    from dataclasses import replace
+
+    lost = replace(study.curves[0], simulated=np.full_like(study.curves[0].simulated, math.nan))
+    assert not Study((lost, *study.curves[1:]), study.others).agrees
+    off = replace(study.curves[0], simulated=study.curves[0].simulated + 2e-9)
+    assert not Study((off, *study.curves[1:]), study.others).agrees
 
 
 @pytest.mark.by_turns(2)
@@ -56,25 +65,14 @@ def test_the_engine_returns_the_closed_form(study, name):
     assert np.max(np.abs(actual.closed - known)) < 1e-12
 
 
-def test_power_damping_of_m_equal_n_is_hysteresis(study):
+def test_power_damping_of_m_equal_n_is_hysteresis_and_kuwabara_and_kono_s_expansion_holds(study):
     """chi = h K/v0 returns what the exact relation has for h."""
     result = next(c for c in study.others if c.law == "power_damping")
     assert result.parameter == "chi*v0/K"
     known = [restitution(float(h)) for h in result.prescribed]
     assert np.max(np.abs(result.simulated - known)) < 1e-9
-
-
-def test_agreement_is_that_of_the_worst(study):
-    assert study.agrees
-    assert study.difference < 1e-10
-    assert study.difference == max(np.max(np.abs(c.simulated - c.closed)) for c in study.curves)
-
-
-def test_kuwabara_and_kono_s_expansion(study):
-    """e = 1 - C1 x + (3/5) C1^2 x^2 + O(x^(5/2)), x = (3/2) A (K/m)^(2/5) v0^(1/5): Ramirez, Poeschel, Brilliantov, Schwager, PRE 60 (1999) 4465.
-
-    Released where the force vanishes, before the gap opens, a little more comes out, of order x^(5/2): Schwager, Poeschel, PRE 78 (2008) 051304.
-    """
+    # e = 1 - C1 x + (3/5) C1^2 x^2 + O(x^(5/2)), x = (3/2) A (K/m)^(2/5) v0^(1/5): Ramirez, Poeschel, Brilliantov, Schwager, PRE 60 (1999) 4465.
+    # Released where the force vanishes, before the gap opens, a little more comes out, of order x^(5/2): Schwager, Poeschel, PRE 78 (2008) 051304.
     found = next(c for c in study.others if c.law == "kuwabara_kono")
     x = 1.5 * found.prescribed
     C1 = math.sqrt(math.pi) * math.gamma(0.6) / (2**0.2 * 5**0.4 * math.gamma(2.1))
@@ -135,7 +133,7 @@ def test_mass_speed_and_stiffness_do_not_matter(name, value):
     assert max(result) - min(result) < 1e-10
 
 
-def test_worst_is_of_the_recommended_range(study):
+def test_records_and_the_worst_of_the_recommended_range(study):
     result = {c.law: c for c in study.curves}
     ln = result["lankarani_nikravesh"]
     e, deviation = ln.worst(inside=True)
@@ -144,9 +142,6 @@ def test_worst_is_of_the_recommended_range(study):
     assert result["exact"].worst(inside=True)[1] == pytest.approx(0, abs=1e-10)
     everywhere = [round(abs(c.worst(inside=False)[1]), 9) for c in study.curves]
     assert everywhere == sorted(everywhere)
-
-
-def test_records(study):
     content = json.loads(json.dumps(study.record()))
     assert len(content["laws"]) == 15
     first = content["laws"][-1]
@@ -156,12 +151,3 @@ def test_records(study):
     flores = [row for row in rows if row["law"] == "flores"]
     assert float(flores[0]["simulated"]) == study.curves[[c.law for c in study.curves].index("flores")].simulated[0]
     assert all(row["closed"] == "" for row in rows if row["law"] == "ristow")
-
-
-def test_a_run_that_does_not_part_agrees_with_nothing(study):
-    from dataclasses import replace
-
-    lost = replace(study.curves[0], simulated=np.full_like(study.curves[0].simulated, math.nan))
-    assert not Study((lost, *study.curves[1:]), study.others).agrees
-    off = replace(study.curves[0], simulated=study.curves[0].simulated + 2e-9)
-    assert not Study((off, *study.curves[1:]), study.others).agrees

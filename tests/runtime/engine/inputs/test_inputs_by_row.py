@@ -4,12 +4,11 @@ import json
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
+from commands import called
 from shaken import PUSHED, shaken
 
 from hertzwerk.derive import InputError
 from hertzwerk.runtime import Samples, Sweep, simulate, simulate_many, study_effects, sweep
-from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, located_choices
 from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
@@ -65,7 +64,7 @@ def test_rows_of_a_store_are_keyed_by_the_values_they_choose(folder):
     assert Sweep.load(into)["push"].tolist() == ["first", "second"] == made["push"].tolist()
     definition = json.loads((into / "definition.json").read_text())
     assert definition["over"]["push"]["first"] == str(folder / "calm.csv:push")
-    assert CliRunner().invoke(main, ["sweep", "--resume", str(into)]).exit_code == 0
+    called("sweep", "--resume", into)
     renamed = {"push": {"first": "calm.csv:push", "other": "gusty.csv:push:held"}}
     again = sweep("pushed.py", renamed, out=into, widen=True, **HOW)
     assert [row.wall_s for row in again] == [row.wall_s for row in made]  # not computed again
@@ -74,21 +73,16 @@ def test_rows_of_a_store_are_keyed_by_the_values_they_choose(folder):
     )
     with pytest.raises(InputError, match=r"choices\.push\.other"):
         sweep("pushed.py", renamed, out=into, **HOW)
-    refused = CliRunner().invoke(main, ["sweep", "--resume", str(into)])
-    assert refused.exit_code == 2 and "choices.push.other" in refused.stderr
+    assert "choices.push.other" in called("sweep", "--resume", into, code=2).stderr
     other = sweep("pushed.py", renamed, out=into, widen=True, **HOW)
     assert other[TRAVEL][0] == made[TRAVEL][0] and other[TRAVEL][1] != made[TRAVEL][1]
     sweep("pushed.py", {"push": [(TIMES, LOADS["calm"])]}, out=folder / "python", **HOW)
-    done = CliRunner().invoke(main, ["sweep", "--resume", str(folder / "python")])
-    assert done.exit_code == 2 and "inputs made in Python: push" in done.stderr
+    assert "inputs made in Python: push" in called("sweep", "--resume", folder / "python", code=2).stderr
 
 
 def test_the_command_line_and_a_file_choose_alike(folder):
     command = ("sweep", "pushed.py", "--over", "push=calm.csv,gusty.csv:push:cubic", "--over", "push.scale=1,2")
-    reported = CliRunner().invoke(
-        main, [*command, "--duration", "1 s", "--tolerance", "1e-8", "--workers", "1", "--json"]
-    )
-    assert reported.exit_code == 0, reported.output
+    reported = called(*command, "--duration", "1 s", "--tolerance", "1e-8", "--workers", "1", "--json")
     (folder / "inner").mkdir()
     (folder / "inner" / "s.toml").write_text(
         'target = "../pushed.py"\nduration = "1 s"\ntolerance = 1e-8\n[over]\npush = "../calm.csv, ../gusty.csv:push:cubic"\n"push.scale" = [1, 2]\n'
@@ -149,5 +143,5 @@ def test_effects_are_studied_under_an_input(folder):
     with pytest.raises(InputError, match="shove"):
         study_effects("pushed.py", duration="1 s", inputs={"push": "1 N", "shove": "1 N"})
     command = ("effects", "pushed.py", "--input", "push=gusty.csv", "--duration", "0.5 s", "--json")
-    assert CliRunner().invoke(main, command).exit_code == 0
+    called(*command)
     assert engine_model("pushed.py").inputs

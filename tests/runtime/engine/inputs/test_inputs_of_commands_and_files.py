@@ -4,14 +4,13 @@ import json
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
+from commands import called
 from shaken import MASS, PUSHED, STIFFNESS, shaken
 
 from hertzwerk.derive import InputError
 from hertzwerk.runtime import Samples, equilibrium, modes, simulate, sweep
 from hertzwerk.runtime.analysis.validation.scenario import load_scenario
 from hertzwerk.runtime.analysis.validation.validate import run_scenario, validate
-from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.inputs.input_values import located
 from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
 
@@ -27,34 +26,17 @@ def folder(tmp_path, monkeypatch):
     return tmp_path
 
 
-def called(*arguments):
-    return CliRunner().invoke(main, arguments)
-
-
 def test_the_command_line_takes_constants_and_columns_of_files_and_a_run_goes_on_with_them(folder):
-    made = called("run", "pushed.py", "--duration", "1 s", "--input", "push=bench.csv:load", "--out", "a", "--no-plots")
-    assert made.exit_code == 0, made.output
+    called("run", "pushed.py", "--duration", "1 s", "--input", "push=bench.csv:load", "--out", "a", "--no-plots")
     command = ("run", "--continue", "a", "--duration", "2 s", "--out", "b", "--no-plots")
-    assert called(*command).exit_code == 0
-    assert called(*command[:-2], "c", "--no-plots", "--input", "push=3 N").exit_code == 2
+    called(*command)
+    called(*command[:-2], "c", "--no-plots", "--input", "push=3 N", code=2)
     (folder / "bench.csv").write_text((folder / "bench.csv").read_text().replace("3", "4"))
-    refused = called(*command[:-2], "c", "--no-plots")
-    assert refused.exit_code == 2 and "other equations or inputs" in refused.output
-    wrong = called(
-        "run",
-        "pushed.py",
-        "--duration",
-        "3 s",
-        "--input",
-        "push=bench.csv:loud",
-        "--input",
-        "shove=3 N",
-        "--set",
-        "mass=2 N",
-    )
-    assert wrong.exit_code == 2 and all(part in wrong.output for part in ("3 faults", "push, loud", "shove", "mass"))
-    at_rest = called("statics", "pushed.py", "--input", "push=5 N", "--json")
-    assert at_rest.exit_code == 0 and json.loads(at_rest.output)
+    assert "other equations or inputs" in called(*command[:-2], "c", "--no-plots", code=2).output
+    bad = ("--input", "push=bench.csv:loud", "--input", "shove=3 N", "--set", "mass=2 N")
+    wrong = called("run", "pushed.py", "--duration", "3 s", *bad, code=2).output
+    assert all(part in wrong for part in ("3 faults", "push, loud", "shove", "mass"))
+    assert json.loads(called("statics", "pushed.py", "--input", "push=5 N", "--json").output)
 
 
 def test_a_scenario_has_inputs_by_files_beside_it(folder):

@@ -23,30 +23,12 @@ def faults_of(folder, text, columns=None):
     return [str(fault).replace("\n   ", "") for fault in error.value.faults]
 
 
-def test_columns_are_read_with_units_and_missing_samples(tmp_path):
+def test_columns_are_read_with_units_and_missing_samples_also_of_a_written_run(tmp_path):
     data = read_measurement(written(tmp_path, GOOD), ["a"])
     assert data.times.tolist() == [0, 0.0005, 0.0015, 0.002]
     np.testing.assert_equal(data.columns, {"a": np.array([1, np.nan, np.nan, -4e3])})
     np.testing.assert_allclose(data.si("a"), [1e-3, np.nan, np.nan, -4.0], rtol=1e-15)
     assert data.source.endswith("data.csv") and data.units == {"a": "mm/s^2"}
-
-
-@pytest.mark.parametrize("delimiter", [";", "\t", " , "])
-def test_other_delimiters_quotes_and_a_byte_order_mark_are_read(tmp_path, delimiter):
-    text = (
-        "\ufeff"
-        + delimiter.join(['"t [s]"', '"x [m]"'])
-        + "\n"
-        + delimiter.join(["1", '"2"'])
-        + "\n3"
-        + delimiter
-        + "4"
-    )
-    data = read_measurement(written(tmp_path, text))
-    assert (data.times.tolist(), data.columns["x"].tolist()) == ([1, 3], [2, 4])
-
-
-def test_a_written_run_is_read_back(tmp_path):
     from hertzwerk.runtime import load, simulate
 
     run = simulate(load("soft_ball"), duration="20 ms", tolerance=1e-6)
@@ -54,6 +36,13 @@ def test_a_written_run_is_read_back(tmp_path):
     assert np.array_equal(data.times, run.t) and np.array_equal(
         data.si("floor.normal_force"), run["floor.normal_force"]
     )
+
+
+@pytest.mark.parametrize("delimiter", [";", "\t", " , "])
+def test_other_delimiters_quotes_and_a_byte_order_mark_are_read(tmp_path, delimiter):
+    text = f'\ufeff"t [s]"{delimiter}"x [m]"\n1{delimiter}"2"\n3{delimiter}4'
+    data = read_measurement(written(tmp_path, text))
+    assert (data.times.tolist(), data.columns["x"].tolist()) == ([1, 3], [2, 4])
 
 
 def test_two_lines_of_one_time_are_a_jump_of_which_the_later_counts(tmp_path):
@@ -78,7 +67,7 @@ def test_the_file_of_a_run_with_two_rows_at_an_event_is_compared(tmp_path):
     assert "1 times are repeated" in str(comparison)
 
 
-def test_all_faults_of_a_file_come_at_once_with_their_lines(tmp_path):
+def test_all_faults_of_a_file_come_at_once_with_their_lines_and_long_lists_are_cut(tmp_path):
     text = 't [s],a [m/s^2],b [furlong],c,d [m]\n0,1,1,1,1\n1,x,1,1,inf\n1,2,1,1,2\n0.5,2,1,1,2\n,2,1,1,2\n7,2\n8,2,1,1,"3,5"\n'
     actual = faults_of(tmp_path, text)
     for expected in (
@@ -89,9 +78,6 @@ def test_all_faults_of_a_file_come_at_once_with_their_lines(tmp_path):
     ):  # fmt: skip
         assert any(expected in fault for fault in actual), (expected, actual)
     assert len(actual) == 8
-
-
-def test_long_lists_of_faults_are_cut(tmp_path):
     result = faults_of(tmp_path, "t [s];a [m]\n" + "".join(f"{i};{i}x\n" for i in range(30)))
     assert len(result) == 21 and "line 2, a: found '0x'" in result[0] and "10 faults more" in result[-1]
 

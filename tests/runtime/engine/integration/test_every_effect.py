@@ -29,25 +29,26 @@ SMOOTH = hd.laws.smooth_coulomb(p("mu", "1", 0.2), p("v_s", "m/s", 0.05))
 
 
 def body(name, mass=1.0):
-    return hd.Body(
-        name,
-        p(f"m_{name}", "kg", mass),
-        (p(f"J_{name}", "kg m^2", 0.02),) * 3,
-        centre=(p(f"s_{name}", "m", 0.15), 0, 0),
-    )
+    inertia = (p(f"J_{name}", "kg m^2", 0.02),) * 3
+    return hd.Body(name, p(f"m_{name}", "kg", mass), inertia, centre=(p(f"s_{name}", "m", 0.15), 0, 0))
 
 
-ARM, BOB, BLOCK, BALL = (
-    body("arm"),
-    body("bob"),
-    body("block"),
-    hd.Body("ball", p("m_ball", "kg", 0.5), (p("J_ball", "kg m^2", 5e-4),) * 3),
-)
+ARM, BOB, BLOCK = map(body, ("arm", "bob", "block"))
+BALL = hd.Body("ball", p("m_ball", "kg", 0.5), (p("J_ball", "kg m^2", 5e-4),) * 3)
 RADIUS = p("radius", "m", 0.05)
 LIFTED = {"flight.y": p("lift", "m", 0.06)}
 HOOK, TIP, SLACK = hd.GROUND.at(0, p("high", "m", 0.1), 0), BOB.at(0, 0, 0), p("slack", "m", 0.3)
 TAUT = p("k", "N/m", 300) * (hd.LENGTH - SLACK) + p("c", "N s/m", 0) * hd.LENGTH_RATE
 SLOW = {"speed": p("w_s", "rad/s", 0.5)}
+FORCE = hd.laws.power(p("K", "N/m^1.5", 1e5), 1.5), hd.laws.hunt_crossley(p("e", "1", 0.8))
+FLOOR = d.SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, hd.GROUND.at(0, 0, 0), normal=hd.Y)
+
+
+def scene(name, joints, effects, start=None, pairs=()):
+    """A scene under gravity, with its ledger of energy."""
+    return hd.Scene(
+        hd.Mechanism(name, joints, pairs), (GRAVITY, *effects, hd.EnergyLedger()), SCALES, start or hd.Start()
+    )
 
 
 def crane(*effects, **start):
@@ -58,7 +59,7 @@ def crane(*effects, **start):
         hd.Revolute("knee", ARM.at(p("l", "m", 0.3), 0, 0), BOB, axis=hd.Z),
     )
     begin = hd.Start(speed=start or {"main": p("w0", "rad/s", 3), "slide": p("v0", "m/s", 0.4)})
-    return hd.Scene(hd.Mechanism("crane", joints), (GRAVITY, *effects, hd.EnergyLedger()), SCALES, begin)
+    return scene("crane", joints, effects, begin)
 
 
 def driven(*effects):
@@ -67,82 +68,48 @@ def driven(*effects):
         hd.Revolute("main", hd.GROUND, ARM, axis=hd.Z),
         hd.Revolute("knee", ARM.at(p("l", "m", 0.3), 0, 0), BOB, axis=hd.Z),
     )
-    return hd.Scene(hd.Mechanism("driven", joints), (GRAVITY, *effects, hd.EnergyLedger()), SCALES)
+    return scene("driven", joints, effects)
 
 
 def hanging(*effects):
     """A body on a ball joint, in space."""
-    start = hd.Start(
-        speed={"shoulder.angular_speed_x": p("wx", "rad/s", 2), "shoulder.angular_speed_z": p("wz", "rad/s", -3)}
-    )
-    return hd.Scene(
-        hd.Mechanism("hanging", (hd.Spherical("shoulder", hd.GROUND, ARM),)),
-        (GRAVITY, *effects, hd.EnergyLedger()),
-        SCALES,
-        start,
-    )
+    speed = {"shoulder.angular_speed_x": p("wx", "rad/s", 2), "shoulder.angular_speed_z": p("wz", "rad/s", -3)}
+    return scene("hanging", (hd.Spherical("shoulder", hd.GROUND, ARM),), effects, hd.Start(speed=speed))
 
 
 def floating(*effects):
     """A free body in space."""
     start = hd.Start(speed={"flight.x_speed": p("vx", "m/s", 0.5), "flight.angular_speed_y": p("wy", "rad/s", 2)})
-    return hd.Scene(
-        hd.Mechanism("floating", (hd.Free("flight", hd.GROUND, BALL),)),
-        (GRAVITY, *effects, hd.EnergyLedger()),
-        SCALES,
-        start,
-    )
+    return scene("floating", (hd.Free("flight", hd.GROUND, BALL),), effects, start)
 
 
 def rolling(*effects):
     """A ball that falls on a floor and slides."""
-    floor = d.SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, hd.GROUND.at(0, 0, 0), normal=hd.Y)
-    contact = d.Contact("floor", hd.laws.power(p("K", "N/m^1.5", 1e5), 1.5), hd.laws.hunt_crossley(p("e", "1", 0.8)))
-    start = hd.Start(
-        position=LIFTED, speed={"flight.x_speed": p("vx", "m/s", 0.5), "flight.angular_speed_y": p("wy", "rad/s", 9)}
-    )
-    return hd.Scene(
-        hd.Mechanism("rolling", (hd.Free("flight", hd.GROUND, BALL),), (floor,)),
-        (GRAVITY, contact, *effects, hd.EnergyLedger()),
-        SCALES,
-        start,
-    )
+    speed = {"flight.x_speed": p("vx", "m/s", 0.5), "flight.angular_speed_y": p("wy", "rad/s", 9)}
+    joints, contact = (hd.Free("flight", hd.GROUND, BALL),), d.Contact("floor", *FORCE)
+    return scene("rolling", joints, (contact, *effects), hd.Start(position=LIFTED, speed=speed), (FLOOR,))
 
 
 def sliding(*effects):
     """A ball that falls on a floor in a plane, and slides."""
-    floor = d.SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, hd.GROUND.at(0, 0, 0), normal=hd.Y)
-    contact = d.Contact("floor", hd.laws.power(p("K", "N/m^1.5", 1e5), 1.5), hd.laws.hunt_crossley(p("e", "1", 0.8)))
     start = hd.Start(position=LIFTED, speed={"flight.x": p("vx", "m/s", 0.5)})
-    return hd.Scene(
-        hd.Mechanism("sliding", (d.Planar("flight", hd.GROUND, BALL, normal=hd.Z),), (floor,)),
-        (GRAVITY, contact, *effects, hd.EnergyLedger()),
-        SCALES,
-        start,
-    )
+    joints, contact = (d.Planar("flight", hd.GROUND, BALL, normal=hd.Z),), d.Contact("floor", *FORCE)
+    return scene("sliding", joints, (contact, *effects), start, (FLOOR,))
 
 
 def loose(*effects):
     """An arm that swings on its pin, loose in a bush of the ground, which wears."""
     rate, clearance = p("wear_rate", "1/Pa", 1e-7), p("clearance", "m", 0.005)
-    bearing = d.PinInBush(
-        "bearing", ARM.at(0, 0, 0), hd.GROUND.at(0, 0, 0), hd.Z, RADIUS, clearance, p("width", "m", 0.02)
-    )
-    contact = d.Contact("bearing", hd.laws.power(p("K", "N/m^1.5", 1e5), 1.5), hd.laws.hunt_crossley(p("e", "1", 0.8)))
-    return hd.Scene(
-        hd.Mechanism("loose", (d.Planar("flight", hd.GROUND, ARM, normal=hd.Z),), (bearing,)),
-        (GRAVITY, contact, d.Wear("wear", "bearing", rate, rate, sectors=8), *effects, hd.EnergyLedger()),
-        SCALES,
-        hd.Start(speed={"flight.angle": p("w0", "rad/s", 3)}),
-    )
+    pin, bush, width = ARM.at(0, 0, 0), hd.GROUND.at(0, 0, 0), p("width", "m", 0.02)
+    effects = d.Contact("bearing", *FORCE), d.Wear("wear", "bearing", rate, rate, sectors=8), *effects
+    start = hd.Start(speed={"flight.angle": p("w0", "rad/s", 3)})
+    pairs = (d.PinInBush("bearing", pin, bush, hd.Z, RADIUS, clearance, width),)
+    return scene("loose", (d.Planar("flight", hd.GROUND, ARM, normal=hd.Z),), effects, start, pairs)
 
 
 def motor(control, *more):
-    return crane(
-        d.DCMotor("servo", "main", control.command, p("R", "ohm", 2), p("L", "H", 0.02), p("k", "N m/A", 0.5)),
-        control,
-        *more,
-    )
+    values = p("R", "ohm", 2), p("L", "H", 0.02), p("k", "N m/A", 0.5)
+    return crane(d.DCMotor("servo", "main", control.command, *values), control, *more)
 
 
 def controller(**given):
@@ -202,12 +169,8 @@ CASES = {
     "wear_set_valued": lambda: loose(d.Friction("rubbing", "bearing", hd.laws.coulomb(mu_k=p("mu", "1", 0.2), mu_s=p("mu_s", "1", 0.25)))),
     "load_by_normal_force": lambda: sliding(d.PointForce("suction", BALL.at(0, 0, 0), (-p("mu", "1", 0.2) * hd.normal_force_of("floor"), 0, 0))),
 }  # fmt: skip
-RELAY = d.Relay(
-    "relay",
-    hd.coordinate_of("slide") + p("lead", "s", 0.05) * hd.speed_of("slide"),
-    unit="m",
-    hysteresis=p("dead", "m", 0.01),
-)
+AHEAD = hd.coordinate_of("slide") + p("lead", "s", 0.05) * hd.speed_of("slide")
+RELAY = d.Relay("relay", AHEAD, unit="m", hysteresis=p("dead", "m", 0.01))
 
 
 @cache

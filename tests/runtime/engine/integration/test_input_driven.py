@@ -101,22 +101,13 @@ def test_a_run_goes_on_and_is_made_again_to_the_bit():
 def _shaft(*effects):
     rotor = hd.Body("rotor", hd.Parameter("mass", "kg", 1), hd.Parameter("inertia", "kg m^2", 1e-3))
     scales = hd.Scales(hd.Parameter("size", "m", 1), hd.Parameter("pace", "m/s", 100), hd.Parameter("arm", "m", 1))
-    return hd.Scene(
-        hd.Mechanism("shaft", (hd.Revolute("main", hd.GROUND, rotor, axis=hd.Z),)),
-        (*effects, hd.EnergyLedger()),
-        scales,
-    )
+    shaft = hd.Mechanism("shaft", (hd.Revolute("main", hd.GROUND, rotor, axis=hd.Z),))
+    return hd.Scene(shaft, (*effects, hd.EnergyLedger()), scales)
 
 
 def test_a_motor_at_a_measured_voltage_and_a_controller_with_a_set_point_that_steps():
-    control = hd.SpeedController(
-        "control",
-        "main",
-        hd.Input("target", "rpm"),
-        hd.Parameter("Kp", "V s/rad", 0.5),
-        hd.Parameter("Ki", "V/rad", 5),
-        unit="V",
-    )
+    gains = hd.Parameter("Kp", "V s/rad", 0.5), hd.Parameter("Ki", "V/rad", 5)
+    control = hd.SpeedController("control", "main", hd.Input("target", "rpm"), *gains, unit="V")
     values = hd.Parameter("R", "ohm", 2), hd.Parameter("L", "mH", 5), hd.Parameter("k", "N m/A", 0.1)
     motor = hd.DCMotor("motor", "main", control.command + hd.Input("noise", "V"), *values)
     target = Samples((0, 0.5, 2), (1000, 2000, 2000), ("s", "rpm"), "held")
@@ -128,16 +119,10 @@ def test_a_motor_at_a_measured_voltage_and_a_controller_with_a_set_point_that_st
 
 
 def test_an_input_that_jumps_switches_a_relay_there():
-    relay = hd.Relay(
-        "relay",
-        hd.Input("signal", "m"),
-        unit="m",
-        hysteresis=hd.Parameter("band", "mm", 1),
-        size=hd.Parameter("width", "m", 1),
-    )
-    model = engine_model(
-        _shaft(relay, hd.JointForce("jets", "main", hd.Parameter("thrust", "N m", 1e-3) * relay.output))
-    )
+    sizes = {"hysteresis": hd.Parameter("band", "mm", 1), "size": hd.Parameter("width", "m", 1)}
+    relay = hd.Relay("relay", hd.Input("signal", "m"), unit="m", **sizes)
+    jets = hd.JointForce("jets", "main", hd.Parameter("thrust", "N m", 1e-3) * relay.output)
+    model = engine_model(_shaft(relay, jets))
     for between in ("held", "linear"):
         signal = Samples((0, 0.25, 0.5, 1.1), (-1, 1, -1, -1), ("s", "m"), between)
         run = simulate(model, duration="1 s", tolerance=1e-9, inputs={"signal": signal})

@@ -25,11 +25,8 @@ LAWS = ("thornton", "kogut_etsion", "jackson_green")
 def scene(**fields):
     """A steel ball that flies against a plane, without gravity; `fields` of its contact."""
     radius, speed = hd.Parameter("radius", "m", RADIUS), hd.Parameter("speed", "m/s", 1)
-    steel = hd.Material(
-        hd.Parameter("E", "Pa", MODULUS),
-        hd.Parameter("nu", "1", POISSON),
-        yield_strength=hd.Parameter("Y", "Pa", STRENGTH),
-    )
+    E, nu, Y = hd.Parameter("E", "Pa", MODULUS), hd.Parameter("nu", "1", POISSON), hd.Parameter("Y", "Pa", STRENGTH)
+    steel = hd.Material(E, nu, yield_strength=Y)
     ball = hd.Body.sphere("ball", radius, density=hd.Parameter("rho", "kg/m^3", DENSITY))
     floor = hd.SphereOnPlane("floor", sphere=ball.at(0, 0, 0), radius=radius, plane=hd.GROUND.at(0, 0, 0), normal=hd.Y)
     law = getattr(laws, fields.pop("law", "thornton"))
@@ -102,10 +99,8 @@ def test_a_dent_is_found_again_on_the_same_spot():
     """A second, slower impact is elastic and begins in the dent; a faster one deepens it, as if it had come at first."""
     spot = load(scene(same_spot=True))
     first = impact(spot, 2.0)
-    kept = {
-        name: (first[name][-1], unit)
-        for name, unit in (("floor.stage", "1"), ("floor.deepest", "m"), ("floor.dent", "m"))
-    }
+    units = {"floor.stage": "1", "floor.deepest": "m", "floor.dent": "m"}
+    kept = {name: (first[name][-1], unit) for name, unit in units.items()}
     assert kept["floor.dent"][0] > 1e-6
     slower = impact(spot, 0.9, initial=kept)
     assert slower["vertical.speed"][-1] == approx(0.9, rel=1e-9)
@@ -161,16 +156,10 @@ def test_a_body_at_rest_loads_its_contact_and_then_rests_on_its_dent():
 
 
 def test_derivatives_pass_the_events_of_a_dent():
-    found = simulate(
-        "yielding_ball", duration="0.8 s", tolerance=1e-11, sensitivities=("yield_strength",)
-    ).sensitivities()
-    step = 1e4
-    speeds = [
-        simulate("yielding_ball", duration="0.8 s", tolerance=1e-11, parameters={"yield_strength": (1e9 + way, "Pa")})
-        .impacts[1]
-        .speed
-        for way in (step, -step)
-    ]
+    how, step = {"duration": "0.8 s", "tolerance": 1e-11}, 1e4
+    found = simulate("yielding_ball", **how, sensitivities=("yield_strength",)).sensitivities()
+    runs = (simulate("yielding_ball", **how, parameters={"yield_strength": (1e9 + h, "Pa")}) for h in (step, -step))
+    speeds = [run.impacts[1].speed for run in runs]
     assert found.impacts("speed", "yield_strength")[1] == approx((speeds[0] - speeds[1]) / (2 * step), rel=1e-5)
 
 
@@ -190,21 +179,11 @@ def test_studies_of_a_dent_are_those_of_single_runs():
     assert spread.linear != approx((mean - low) / 0.02 * 0.01, rel=3e-4)  # what the comparison above would see
 
 
-@pytest.mark.parametrize(
-    ("fields", "said"),
-    [
-        ({"damping": laws.tsuji(hd.Parameter("e", "1", 0.9))}, "law tsuji beside thornton"),
-        ({"smooth": "1 um"}, "smooth with thornton"),
-    ],
-)
-def test_laws_made_for_elastic_contact_are_refused(fields, said):
-    with pytest.raises(hd.InputError, match=said):
-        scene(**fields)
-
-
-def test_a_spot_needs_a_law_that_leaves_a_dent():
-    contact = scene().effect("floor")
+def test_laws_made_for_elastic_contact_and_spots_without_a_dent_are_refused():
+    with pytest.raises(hd.InputError, match="law tsuji beside thornton"):
+        scene(damping=laws.tsuji(hd.Parameter("e", "1", 0.9)))
+    with pytest.raises(hd.InputError, match="smooth with thornton"):
+        scene(smooth="1 um")
+    elastic = laws.power(hd.Parameter("K", "N/m^1.5", 1e9), n=1.5)
     with pytest.raises(hd.InputError, match="leaves no dent"):
-        scene().replace(
-            floor=replace(contact, stiffness=laws.power(hd.Parameter("K", "N/m^1.5", 1e9), n=1.5), same_spot=True)
-        )
+        scene().replace(floor=replace(scene().effect("floor"), stiffness=elastic, same_spot=True))

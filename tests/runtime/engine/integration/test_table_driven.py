@@ -16,11 +16,8 @@ GRAVITY, HEIGHT, RISING = 9.81, 0.1, 0.5
 @pytest.fixture(scope="module")
 def lifted():
     """A ball that falls on a platform, which a table lifts at a constant speed."""
-    radius, ball, platform = (
-        hd.Parameter("radius", "mm", 20),
-        hd.Body("ball", hd.Parameter("m", "kg", 0.1)),
-        hd.Body("platform", hd.Parameter("mp", "kg", 1)),
-    )
+    radius = hd.Parameter("radius", "mm", 20)
+    ball, platform = hd.Body("ball", hd.Parameter("m", "kg", 0.1)), hd.Body("platform", hd.Parameter("mp", "kg", 1))
     lift = hd.Table("lift", (0, 1, 2), (0, RISING, 2 * RISING), ("s", "m"))
     guides = hd.Prismatic("fall", hd.GROUND, ball, axis=hd.Y), hd.Prismatic("guide", hd.GROUND, platform, axis=hd.Y)
     floor = hd.SphereOnPlane("floor", ball.at(0, 0, 0), radius, platform.at(0, 0, 0), normal=hd.Y)

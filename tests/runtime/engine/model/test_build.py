@@ -22,9 +22,13 @@ def folder(tmp_path, monkeypatch):
     return path
 
 
-def test_the_cache_is_made_for_its_user_alone(folder):
+def test_the_cache_is_made_for_its_user_alone_and_leaves_no_temporary_files(folder):
     assert cache.folder() == folder
     assert stat.S_IMODE(folder.stat().st_mode) == 0o700
+    kept = cache.keep("a", ".py", b"x = 1\n")
+    assert cache.read("a", ".py") == "x = 1\n"
+    assert cache.read("b", ".py") is None
+    assert list(folder.iterdir()) == [kept]
 
 
 @pytest.mark.skipif(os.name == "nt", reason="permissions of POSIX")
@@ -39,16 +43,18 @@ def test_a_folder_that_others_can_write_is_not_trusted(folder, mode):
     assert list(folder.iterdir()) == [kept]
 
 
-def test_the_cache_can_be_turned_off(monkeypatch):
+def test_a_user_who_turned_the_cache_off_or_without_a_home_has_none(monkeypatch):
     monkeypatch.setenv("HERTZWERK_CACHE", "")
     assert cache.folder() is None
 
+    def nowhere():
+        raise RuntimeError("Could not determine home directory.")
 
-def test_a_written_module_is_read_and_leaves_no_temporary_files(folder):
-    kept = cache.keep("a", ".py", b"x = 1\n")
-    assert cache.read("a", ".py") == "x = 1\n"
-    assert cache.read("b", ".py") is None
-    assert list(folder.iterdir()) == [kept]
+    monkeypatch.delenv("HERTZWERK_CACHE")
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.setattr(Path, "home", nowhere)
+    assert cache.folder() is None
+    assert cache.keep("a", ".py", b"") is None
 
 
 @pytest.mark.parametrize("content", [b"", b"x = 1", b"x = 2\n", b"x = 1\n\n", b"\xff"])
@@ -65,17 +71,6 @@ def test_a_changed_module_is_derived_again(folder, monkeypatch):
     (kept,) = folder.iterdir()
     kept.write_text("NUMBER = 2.0\n")
     assert build.build_built_in("two_spheres", ["energy_ledger"]).NUMBER == 1
-
-
-def test_a_user_without_a_home_has_no_cache(monkeypatch):
-    def nowhere():
-        raise RuntimeError("Could not determine home directory.")
-
-    monkeypatch.delenv("HERTZWERK_CACHE")
-    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
-    monkeypatch.setattr(Path, "home", nowhere)
-    assert cache.folder() is None
-    assert cache.keep("a", ".py", b"") is None
 
 
 def test_a_full_disk_ends_nothing_that_can_do_without_the_cache(folder, monkeypatch):

@@ -55,9 +55,6 @@ def test_inputs_that_differ_are_distinguished_and_equal_ones_are_not():
     assert len({_key(value) for value in values}) == len(values)
     assert _key(("24 ms", {"mass": (0.2, "kg")}, {})) == _key(("24 ms", {"mass": (0.2, "kg")}, {}))
     assert _key([1]) != _key([1])  # never found again
-
-
-def test_bad_input_equal_to_earlier_input_is_refused():
     model = engine_model("bouncing_ball")
     simulate(model, duration="0.1 s", tolerance=1e-6, parameters={"restitution": 1.0})
     with pytest.raises(InputError):

@@ -43,13 +43,10 @@ def test_a_run_is_what_it_was(name, again):
     assert np.array_equal(*(part.engine.history.rows[-1] for part in longer))
 
 
-def test_a_copy_has_its_own_inputs(crank):
+def test_a_copy_has_its_own_inputs_and_a_variation_keeps_its_scene(crank):
     other = copy.deepcopy(crank)
     other.module.NAME = "another"
     assert engine_model("slider_crank").module.NAME == crank.module.NAME == "slider_crank"
-
-
-def test_a_variation_keeps_its_scene():
     model = restored(engine_model("slider_crank", without=["slider_pin_friction"]))
     assert "slider_pin_friction" not in [row[0] for row in model.module.EFFECTS]
     assert "tanh" not in model.equations().markdown()

@@ -4,12 +4,11 @@ import json
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
+from commands import called
 from scipy.signal import lfilter
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Solution, simulate
-from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.solution.averages import FEWEST, MOST, estimate
 from hertzwerk.runtime.loading import engine_model
 from reference import closed_forms
@@ -221,21 +220,17 @@ def test_bad_input(crank, options, message):
 
 def test_the_command_line_shows_averages_where_they_are_requested(tmp_path):
     requested = ["run", "ball_between_walls", "--duration", "2 s", "--accuracy", "1e-4"]
-    plain, with_averages = (
-        CliRunner().invoke(main, [*requested, "--json", *more], prog_name="hertzwerk") for more in ((), ("--averages",))
-    )
+    plain, with_averages = (called(*requested, "--json", *more) for more in ((), ("--averages",)))
     assert "averages" not in json.loads(plain.stdout)
     shown = json.loads(with_averages.stdout)["averages"]
     assert [row["name"] for row in shown][:3] == [
         f"left_wall.{x}" for x in ("impact_rate", "normal_force", "peak_force")
     ]
     assert shown[0].keys() == {"name", "unit", "mean", "half_width", "blocks", "block", "reason"}
-    text = CliRunner().invoke(
-        main, [*requested, "--averages", "--no-plots", "--out", str(tmp_path / "run")], prog_name="hertzwerk"
-    )
+    text = called(*requested, "--averages", "--no-plots", "--out", tmp_path / "run")
     (row,) = (line.split() for line in text.stdout.splitlines() if line.startswith("left_wall.impact_rate"))
     assert row[1] == f"{shown[0]['mean']:.4g}"
-    short = ["run", "slider_crank", "--accuracy", "1e-3", "--averages", "--no-plots", "--out", str(tmp_path / "short")]
-    text = CliRunner().invoke(main, short, prog_name="hertzwerk")
+    short = ["--accuracy", "1e-3", "--averages", "--no-plots", "--out", tmp_path / "short"]
+    text = called("run", "slider_crank", *short)
     assert text.stdout.count("1 of at least 8 intervals after the transient") == 1  # not once for each average
     assert json.loads((tmp_path / "run" / "run.json").read_text())["averages"] == shown

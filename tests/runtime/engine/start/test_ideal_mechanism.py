@@ -37,19 +37,13 @@ def test_slider_crank_is_the_closed_form_however_coarse_the_times(count):
     )
 
 
-def test_dead_centres_carry_the_textbook_accelerations():
+def test_dead_centres_and_a_tabulated_crank():
     ideal = followed([0.0, 0.006])
     assert ideal.acceleration_of("guide.speed") == pytest.approx([-19419.3605, 7996.2073], rel=1e-8)
-
-
-def test_none_where_the_mechanism_cannot_close():
-    """A crank longer than the rod: at 90 degrees the rod does not reach the guide."""
-    t = np.linspace(0, 0.006, 7)
-    assert followed(t, {"crank_radius": "0.13 m"}) is None
-
-
-def test_none_where_no_pin_determines_the_coordinates():
-    assert followed([0.0, 0.1], scene="soft_ball") is None
+    model = engine_model(slider_crank.replace(crank_drive=hd.Drive("crank_drive", "main_bearing", position=WAVE(hd.T))))
+    t = np.linspace(0, 0.03, 31)
+    ideal = followed(t, scene=model)
+    assert ideal["guide.travel"] == pytest.approx(closed_form.position(0.5 * np.sin(300 * t), R, L), abs=1e-9)
 
 
 # -- cranks that are accelerated ---------------------------------------------------------------------------------------
@@ -110,13 +104,6 @@ def test_an_accelerated_crank_is_the_closed_form(label, count):
     assert np.max(np.abs(expected - without)) > 1e-3 * R * W**2  # the term under test is there
 
 
-def test_a_tabulated_crank_follows_its_table():
-    model = engine_model(slider_crank.replace(crank_drive=hd.Drive("crank_drive", "main_bearing", position=WAVE(hd.T))))
-    t = np.linspace(0, 0.03, 31)
-    ideal = followed(t, scene=model)
-    assert ideal["guide.travel"] == pytest.approx(closed_form.position(0.5 * np.sin(300 * t), R, L), abs=1e-9)
-
-
 def test_a_clearance_run_with_an_accelerated_crank_stays_near_the_ideal_one():
     """What the slider may deviate by is the gain of the linkage times the reach of the pin in its bush."""
     run = simulate(cranked("speed"), duration="24 ms", tolerance=1e-7)
@@ -130,11 +117,8 @@ def test_a_clearance_run_with_an_accelerated_crank_stays_near_the_ideal_one():
 
 def held_body(speed):
     """A free body whose three pins sit in bushes of a driven wheel: their axes X, Y, Z leave it no freedom, so it turns with the wheel."""
-    mass, clearance, radius = (
-        hd.Parameter("mass", "kg", 1.0),
-        hd.Parameter("clearance", "mm", 1.0),
-        hd.Parameter("radius", "mm", 10.0),
-    )
+    p = hd.Parameter
+    mass, clearance, radius = p("mass", "kg", 1.0), p("clearance", "mm", 1.0), p("radius", "mm", 10.0)
     inertia = tuple(hd.Parameter(f"J_{k}", "kg m^2", 0.01) for k in "xyz")
     wheel, body = hd.Body("wheel", mass, inertia), hd.Body("body", mass, inertia)
     places = {"first": ((0, 1, 0), hd.X), "second": ((0, 0, 1), hd.Y), "third": ((1, 0, 0), hd.Z)}
@@ -195,3 +179,7 @@ def test_a_model_without_ideal_mechanism_says_why():
     assert "no joint with clearance" in unknown_because(engine_model("soft_ball"))
     assert "front_upper guide with a clearance" in unknown_because(engine_model("translational_clearance"))
     assert unknown_because(engine_model("spatial_slider_crank")) == ""
+    assert followed([0.0, 0.1], scene="soft_ball") is None
+    # A crank longer than the rod: at 90 degrees the rod does not reach the guide.
+    t = np.linspace(0, 0.006, 7)
+    assert followed(t, {"crank_radius": "0.13 m"}) is None

@@ -14,7 +14,7 @@ def drawn():
     return run, Drawing.of(Places.over(run), (6.0, 4.0))
 
 
-def test_the_sag_is_enlarged_and_the_ends_stay(drawn):
+def test_the_sag_is_enlarged_the_ends_stay_and_the_caption_states_it(drawn):
     run, drawing = drawn
     parts, last = drawing.parts, -1
     curve = parts.rod("coupler", last) * parts.unit.factor
@@ -25,10 +25,6 @@ def test_the_sag_is_enlarged_and_the_ends_stay(drawn):
     way, off = (end - start) / np.linalg.norm(end - start), curve[20] - start
     assert parts.bent == {"coupler": 10.0}
     assert way[0] * off[1] - way[1] * off[0] == pytest.approx(10 * run["coupler.sag_50"][-1], rel=0.01)
-
-
-def test_the_caption_states_the_factor_and_the_rod_has_its_name(drawn):
-    _, drawing = drawn
     assert "Bending of coupler enlarged 10 times." in drawing.caption()
     assert len(drawing.parts.corners("coupler_start", 0)) > 2
 

@@ -5,11 +5,12 @@ import re
 import shutil
 import subprocess
 from base64 import b64decode
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
+from commands import called
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
 from PIL import Image
@@ -17,7 +18,6 @@ from PIL import Image
 import hertzwerk.derive as hd
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Solution, simulate
-from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.build import build_hard_scene
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.loading import engine_model
@@ -102,7 +102,7 @@ def visible(axis, kind):
     return [artist for artist in axis.findobj(kind) if artist.get_visible() and artist.axes is axis]
 
 
-def test_shapes_are_where_the_run_has_them(ball):
+def test_shapes_are_where_the_run_has_them_and_colours_those_of_the_pictures(ball):
     stage = stage_of(ball, 7)
     for k in (3, 1, 6):
         stage.show(k)
@@ -113,6 +113,12 @@ def test_shapes_are_where_the_run_has_them(ball):
         middle = (np.max(outline[:, 1]) + np.min(outline[:, 1])) / 2
         assert middle == pytest.approx(height, abs=1e-9)
         assert f"t = {stage.clock.times[k]:.1f}" in stage._time.get_text()
+    image = Image.new("RGB", (1 + len(CYCLE), 1), "white")
+    for k, colour in enumerate(CYCLE):
+        image.putpixel((1 + k, 0), tuple(bytes.fromhex(colour[1:])))
+    actual = np.asarray(image.quantize(palette=_palette(), dither=Image.Dither.NONE).convert("RGB"), dtype=int)
+    assert np.array_equal(actual[0, 0], (255, 255, 255))
+    assert np.max(np.abs(actual - np.asarray(image, dtype=int))) <= 8
 
 
 def test_the_path_of_a_journal_grows(crank):
@@ -129,9 +135,9 @@ def test_the_path_of_a_journal_grows(crank):
     assert lengths[-1] == len(stage.drawing.parts.places.t)
 
 
-def arrows(axis) -> list[np.ndarray]:
+def arrows(axis, width=1.6) -> list[np.ndarray]:
     """Lines of forces: those of drives are thinner."""
-    return [line for line in visible(axis, Line2D) if line.get_color() == VERMILLION and line.get_linewidth() == 1.6]
+    return [line for line in visible(axis, Line2D) if (line.get_color(), line.get_linewidth()) == (VERMILLION, width)]
 
 
 def test_every_impact_has_an_arrow_however_short_it_is(crank, monkeypatch):
@@ -175,12 +181,7 @@ def test_friction_is_that_of_its_law_and_acts_against_the_slip(crank):
     assert len(seen) > 3
     for k in range(40):
         stage.show(k)
-        thin = [
-            line
-            for line in visible(stage.papers[0].axis, Line2D)
-            if line.get_color() == VERMILLION and line.get_linewidth() == RUBBING
-        ]
-        assert len(thin) <= len(arrows(stage.papers[0].axis))
+        assert len(arrows(stage.papers[0].axis, RUBBING)) <= len(arrows(stage.papers[0].axis))
     texts = " ".join(text.get_text() for text in stage._layout.page.texts)
     assert "thinner its friction" in texts.replace("\n", " ")
 
@@ -226,12 +227,8 @@ def test_contact_points_and_directions_by_hand(name):
 @pytest.mark.slow  # it derives what is read of its run
 def test_boxes_and_spheres_on_solids_have_arrows_where_their_forces_act():
     """A ball pressed on a box beside its middle, a rectangle flat on another: upwards, from where they touch."""
-    r, w, h, K = (
-        hd.Parameter("r", "mm", 10),
-        hd.Parameter("w", "mm", 100),
-        hd.Parameter("h", "mm", 80),
-        hd.Parameter("K", "N/m", 1e6),
-    )
+    sizes = {"r": 10, "w": 100, "h": 80}
+    (r, w, h), K = (hd.Parameter(name, "mm", size) for name, size in sizes.items()), hd.Parameter("K", "N/m", 1e6)
     bodies, aside = [hd.Body(name, hd.Parameter("m", "kg", 1)) for name in ("ball", "block")], hd.GROUND.at(w, 0, 0)
     joints = [
         hd.Prismatic(body.name + "_guide", aside if k else hd.GROUND, body, axis=hd.Y) for k, body in enumerate(bodies)
@@ -247,11 +244,8 @@ def test_boxes_and_spheres_on_solids_have_arrows_where_their_forces_act():
     )
     start = hd.Start(position={"ball_guide": h / 2 + r, "block_guide": h})
     scales = hd.Scales(length=r, speed=hd.Parameter("pace", "m/s", 0.1))
-    run = simulate(
-        engine_model(hd.Scene(hd.Mechanism("solids", joints, pairs), effects, scales, start)),
-        duration="5 ms",
-        tolerance=1e-6,
-    )
+    scene = hd.Scene(hd.Mechanism("solids", joints, pairs), effects, scales, start)
+    run = simulate(engine_model(scene), duration="5 ms", tolerance=1e-6)
     stage = stage_of(run, 5)
     stage.show(3)
     assert len(arrows(stage.papers[0].axis)) == 5  # of the rectangles four corners
@@ -259,15 +253,6 @@ def test_boxes_and_spheres_on_solids_have_arrows_where_their_forces_act():
     assert (point, way) == (pytest.approx([0, 0.04, 0], abs=2e-5), pytest.approx([0, 1, 0], abs=1e-12))
     assert (corner, up) == (pytest.approx([0.1 - 0.049, 0.04, 0], abs=2e-5), pytest.approx([0, 1, 0], abs=1e-12))
     assert any("With friction in one: bed, stack_.." in note for note in stage.notes())
-
-
-def test_colours_of_a_gif_are_those_of_the_pictures():
-    image = Image.new("RGB", (1 + len(CYCLE), 1), "white")
-    for k, colour in enumerate(CYCLE):
-        image.putpixel((1 + k, 0), tuple(bytes.fromhex(colour[1:])))
-    actual = np.asarray(image.quantize(palette=_palette(), dither=Image.Dither.NONE).convert("RGB"), dtype=int)
-    assert np.array_equal(actual[0, 0], (255, 255, 255))
-    assert np.max(np.abs(actual - np.asarray(image, dtype=int))) <= 8
 
 
 # ---- clock -----------------------------------------------------------------------------------------------------------
@@ -351,20 +336,14 @@ def test_the_command_writes_one_film_and_never_over_another(tmp_path, monkeypatc
     monkeypatch.chdir(tmp_path)
     command = ["animate", "bouncing_ball", "--duration", "0.3 s", "--fps", "10", "--set", "drop_height=0.2 m"]
 
-    def hertzwerk(*more: str):
-        return CliRunner().invoke(main, [*command, *more], catch_exceptions=False)
-
-    done = hertzwerk("--slow", "2")
-    assert done.exit_code == 0, done.output
-    assert "6 frames, 2 times slower" in done.output
+    hertzwerk = partial(called, *command)
+    assert "6 frames, 2 times slower" in hertzwerk("--slow", "2").output
     before = (tmp_path / "bouncing_ball.gif").read_bytes()
-    assert hertzwerk().exit_code == 2
+    hertzwerk(code=2)
     assert (tmp_path / "bouncing_ball.gif").read_bytes() == before
-    assert hertzwerk("--overwrite", "--slow", "1").exit_code == 0
+    hertzwerk("--overwrite", "--slow", "1")
     assert (tmp_path / "bouncing_ball.gif").read_bytes() != before
-    bad = hertzwerk("--out", "film.avi", "--fps", "many")
-    assert bad.exit_code == 2
-    assert ".mp4" in bad.output
+    assert ".mp4" in hertzwerk("--out", "film.avi", "--fps", "many", code=2).output
 
 
 def test_the_command_films_other_coordinates_an_accuracy_and_a_grid(tmp_path, monkeypatch):
@@ -375,8 +354,8 @@ def test_the_command_films_other_coordinates_an_accuracy_and_a_grid(tmp_path, mo
         films, "animate", lambda run, *_, **__: made.append(run) or films.Film("x", 2, 2, Clock(run.t, 1.0, 1.0))
     )
     how = ["--coordinates", "absolute", "--accuracy", "1e-4", "--grid", "7", "--duration", "0.1 s"]
-    assert CliRunner().invoke(main, ["animate", "bouncing_ball", *how], catch_exceptions=False).exit_code == 0
-    assert CliRunner().invoke(main, ["animate", "bouncing_ball", "--duration", "0.1 s"]).exit_code == 0
+    called("animate", "bouncing_ball", *how)
+    called("animate", "bouncing_ball", "--duration", "0.1 s")
     requested, plain = made
     assert (requested.engine.model.coordinates[0], plain.engine.model.coordinates[0]) == ("ball.x", "vertical.travel")
     assert (requested.settings.accuracy, len(requested.t)) == (1e-4, 7)

@@ -35,19 +35,13 @@ def bent(run: Solution, true: Solution, seen: float = EYE) -> dict[str, float]:
     return {name: distance for name, distance in off.items() if distance >= seen}
 
 
-def test_long_runs_have_no_kinks(crank):
+def test_long_and_saved_runs_have_no_kinks(crank, saved):
     """A fixed number of samples was spread over any duration: of .3 s, flights were chords with kinks."""
     assert len(crank.t) > 15_000
     assert bent(crank, crank, CORNER) == {}
-
-
-def test_saved_runs_are_drawn_as_live_ones(crank, saved):
-    """Straight lines joined the steps: the pin's path was a polygon."""
+    # Straight lines joined the steps: the pin's path was a polygon.
     assert bent(saved, crank) == {}
-
-
-def test_the_first_impact_of_a_saved_run_is_no_polygon(crank, saved):
-    """It had five chords; its force is within 1e-3 of the run's own."""
+    # It had five chords; its force is within 1e-3 of the run's own.
     (t, force, depth), (_, live, deep) = (impact_curves(run, run.impacts[0]) for run in (saved, crank))
     assert len(t) == len(force) == 400
     assert np.max(np.abs(force - live)) < 1e-3 * np.max(live)

@@ -43,12 +43,8 @@ def test_faults_of_a_page_are_found(tmp_path):
 
 
 def test_a_table_of_many_columns_fits_a_sheet_of_paper(tmp_path):
-    heads = [
-        ("n", ""),
-        ("outcome", ""),
-        *((f"penetration {part}", "km/s^2") for part in "abcdefg"),
-        ("penetration/clearance", ""),
-    ]
+    many = [(f"penetration {part}", "km/s^2") for part in "abcdefg"]
+    heads = [("n", ""), ("outcome", ""), *many, ("penetration/clearance", "")]
     rows = [[1.5, "energy_not_closed", *[1.2345e-10] * 7, 0.01232]] * 3
     wide = page("study", "a", "", Markup(""), [Section("One", table(heads, rows))], Origin("x"))
     assert seen(wide, tmp_path)["cut"] == []

@@ -4,11 +4,10 @@ import csv
 import json
 
 import pytest
-from click.testing import CliRunner
+from commands import called
 from matplotlib.figure import Figure
 from pages import Outline
 
-from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.output.reports.html_page import Origin
 from hertzwerk.runtime.output.reports.sweep_report import sweep_page
 from hertzwerk.runtime.studies.sweeps.sweep_table import COMPLETE, Sweep
@@ -16,6 +15,9 @@ from hertzwerk.runtime.system.digests import sealed
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><path d="M 0 0"/><script>alert(1)</script></svg>'
 HOSTILE = "</style><script>alert(1)</script> & <b>"
+TABLE = {"name": "t", "title": "Table", "header": [["a", "m/s^2"], ["b", ""]]}
+TABLE |= {"rows": [[2.5, HOSTILE], [None, "y"], [1.25, "z"]]}
+FIGURES = ("Figure", "f.svg", HOSTILE), ("Away", "../away.svg", "")
 STUDY = {
     "title": f"A title {HOSTILE}",
     "question": HOSTILE,
@@ -24,18 +26,8 @@ STUDY = {
     "paragraphs": [HOSTILE],
     "lacking": [f"`{HOSTILE}` {HOSTILE}"],
     "verdicts": [{"text": f"x: 1 {HOSTILE}", "source": HOSTILE, "holds": holds} for holds in (True, False, None)],
-    "tables": [
-        {
-            "name": "t",
-            "title": "Table",
-            "header": [["a", "m/s^2"], ["b", ""]],
-            "rows": [[2.5, HOSTILE], [None, "y"], [1.25, "z"]],
-        }
-    ],
-    "figures": [
-        {"title": "Figure", "path": "f.svg", "note": HOSTILE},
-        {"title": "Away", "path": "../away.svg", "note": ""},
-    ],
+    "tables": [TABLE],
+    "figures": [dict(zip(("title", "path", "note"), each, strict=True)) for each in FIGURES],
 }
 
 
@@ -43,10 +35,7 @@ STUDY = {
 def report(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
-    def run(*arguments):
-        return CliRunner().invoke(main, arguments, catch_exceptions=False)
-
-    return run
+    return called
 
 
 def test_a_study_has_its_verdicts_figures_and_tables(report, tmp_path):
@@ -55,7 +44,7 @@ def test_a_study_has_its_verdicts_figures_and_tables(report, tmp_path):
     (folder / "study.json").write_text(json.dumps(sealed(STUDY)))
     (folder / "f.svg").write_text(SVG)
     (tmp_path / "away.svg").write_text(SVG)
-    assert report("report", "study").exit_code == 0
+    report("report", "study")
     page = (folder / "report.html").read_text("utf-8")
     outline = Outline(page)
     assert len(outline.texts["script"]) == len(outline.texts["svg"]) == 1
@@ -71,15 +60,14 @@ def test_a_study_has_its_verdicts_figures_and_tables(report, tmp_path):
 def test_a_folder_that_is_no_study_is_refused(report, tmp_path, broken):
     (tmp_path / "study").mkdir()
     (tmp_path / "study" / "study.json").write_text(json.dumps(sealed(broken)))
-    done = report("report", "study")
-    assert (done.exit_code, "expected a record that `hertzwerk study` wrote" in done.output) == (2, True)
+    assert "expected a record that `hertzwerk study` wrote" in report("report", "study", code=2).output
     assert not (tmp_path / "study" / "report.html").exists()
 
 
 def test_a_folder_that_does_not_exist_is_no_file_and_no_scene(report):
     for name in ("runs/ball-001", "ball-001"):
-        result = report("report", name)
-        assert (result.exit_code, f"{name}: found no folder or scene" in " ".join(result.output.split())) == (2, True)
+        output = report("report", name, code=2).output
+        assert f"{name}: found no folder or scene" in " ".join(output.split())
 
 
 @pytest.mark.parametrize(("alike", "keys"), [(0, ["mass"]), (1, ["same_0", "mass"]), (3, ["row"])])
@@ -107,7 +95,7 @@ def test_warnings_that_rows_share_are_stated_once_and_values_in_their_units(repo
     assert "6 rows have warnings (column `warnings`)" in text
     assert "output slider_pin.impact_rate not determined: fewer than two intervals" in text
     assert " none " not in text
-    assert report("report", "rows", "--out", "rows.html").exit_code == 0
+    report("report", "rows", "--out", "rows.html")
     outline = Outline((tmp_path / "rows.html").read_text("utf-8"))
     assert "clearance [mm]" in outline.tables["Rows"][0][0]
     (restitution,) = (text for text in outline.texts["li"] if "restitution = 0.5" in text)
@@ -125,20 +113,9 @@ def test_warnings_that_rows_share_are_stated_once_and_values_in_their_units(repo
 
 def test_a_sweep_has_its_rows_and_definition(report, tmp_path):
     over = ("--over", "drop_height=0.2,0.5 m", "--over", "mass=1,-1 kg")
-    done = report(
-        "sweep",
-        "soft_ball",
-        *over,
-        "--duration",
-        "0.5 s",
-        "--tolerance",
-        "1e-5",
-        "--output",
-        "floor.peak_force",
-        "--out",
-        "rows",
-    )
-    assert report("report", "rows", "--out", "rows.html").exit_code == 0, done.output
+    how = ("--duration", "0.5 s", "--tolerance", "1e-5", "--output", "floor.peak_force", "--out", "rows")
+    report("sweep", "soft_ball", *over, *how, code=1)
+    report("report", "rows", "--out", "rows.html")
     outline = Outline((tmp_path / "rows.html").read_text("utf-8"))
     head, *rows = outline.tables["Rows"][0]
     assert len(rows) == 4
@@ -159,7 +136,7 @@ def test_a_sweep_has_its_rows_and_definition(report, tmp_path):
     assert {"digest of the module", "digest of the histories beside it"} <= settings.keys()
     assert any("Outputs of soft_ball" in text for text in outline.texts["figcaption"])
     assert "hertzwerk sweep --resume rows" in outline.texts["pre"]
-    assert [list(pair) for pair in zip(outline.texts["dt"][1:], outline.texts["dd"][1:], strict=True)] == [
-        ["finished", "2"],
-        ["bad input", "2"],
+    assert [*zip(outline.texts["dt"][1:], outline.texts["dd"][1:], strict=True)] == [
+        ("finished", "2"),
+        ("bad input", "2"),
     ]

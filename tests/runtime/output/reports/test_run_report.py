@@ -2,13 +2,13 @@
 
 import json
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
-from click.testing import CliRunner
+from commands import called
 from pages import Outline
 
 from hertzwerk.runtime import Solution, simulate
-from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.build import scene_from
 from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.output.reports import run_report
@@ -38,11 +38,8 @@ def test_a_page_has_the_numbers_of_its_run(ball, page):
     (impacts,), (parameters,) = outline.tables["Impacts"], outline.tables["Parameters"]
     assert "1 of" in page
     assert column(parameters, "the model's own")[column(parameters, "parameter").index("drop_height")] == "1 m"
-    assert [
-        name
-        for name, own in zip(column(parameters, "parameter"), column(parameters, "the model's own"), strict=True)
-        if own
-    ] == ["drop_height"]
+    own = zip(column(parameters, "parameter"), column(parameters, "the model's own"), strict=True)
+    assert [name for name, value in own if value] == ["drop_height"]
     forces = [float(text) for text in column(impacts, "peak force")]
     (scale,) = ({"N": 1, "kN": 1e3}[impacts[0][4].partition("[")[2].rstrip("]")],)
     assert forces == pytest.approx([impact.peak_force / scale for impact in ball.impacts], rel=1e-4)
@@ -55,7 +52,7 @@ def test_a_page_has_the_numbers_of_its_run(ball, page):
     )
 
 
-def test_names_on_a_page_are_its_own_and_nothing_is_fetched(page):
+def test_names_on_a_page_are_its_own_nothing_is_fetched_and_two_pages_are_the_same(page, ball):
     outline = Outline(page)
     assert len(outline.ids) == len(set(outline.ids))
     assert outline.references
@@ -63,9 +60,6 @@ def test_names_on_a_page_are_its_own_and_nothing_is_fetched(page):
     assert [r for r in outline.references if r not in inside and not r.startswith("data:image/png;base64,")] == []
     assert "http" not in page.replace("http-equiv", "")
     assert "default-src &#x27;none&#x27;" in page
-
-
-def test_two_pages_of_a_run_are_the_same(ball, page):
     assert run_report.run_page(ball) == page
 
 
@@ -89,17 +83,8 @@ def no_pictures(monkeypatch):
 
 
 def test_long_tables_say_where_the_whole_is(ball, no_pictures):
-    many = replace(
-        ball,
-        engine=replace(
-            ball.engine,
-            findings=type(
-                "Many",
-                (),
-                {"impacts": ball.impacts * 250, "energy_residual": None, "choices": (), "lasting": (), "needs": ()},
-            )(),
-        ),
-    )
+    findings = {"impacts": ball.impacts * 250, "energy_residual": None, "choices": (), "lasting": (), "needs": ()}
+    many = replace(ball, engine=replace(ball.engine, findings=SimpleNamespace(**findings)))
     page = run_report.run_page(many, whole="there.npz")
     (table,) = Outline(page).tables["Impacts"]
     assert len(table) == 1 + run_report.MOST
@@ -132,14 +117,11 @@ def test_saved_runs_have_equations_where_their_declaration_is_at_hand(ball, tmp_
 def test_the_command_reports_a_run_folder_with_the_command_that_made_it(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
-    def hertzwerk(*arguments):
-        return CliRunner().invoke(main, arguments, catch_exceptions=False)
-
     given = (
         "soft_ball", "--set", "drop_height=0.5 m", "--without", "energy_ledger", "--duration", "0.5 s", "--no-plots",
     )  # fmt: skip
-    assert hertzwerk("run", *given).exit_code == 0
-    assert hertzwerk("report", "runs/soft_ball-001").exit_code == 0
+    called("run", *given)
+    called("report", "runs/soft_ball-001")
     page = (tmp_path / "runs/soft_ball-001/report.html").read_text("utf-8")
     made = "hertzwerk run soft_ball --set 'drop_height=0.5 m' --without energy_ledger --duration '0.5 s' --no-plots"
     outline = Outline(page)
@@ -147,22 +129,20 @@ def test_the_command_reports_a_run_folder_with_the_command_that_made_it(tmp_path
     assert len(outline.texts["math"]) > 20
     assert "energy_ledger" not in column(outline.tables["Effects"][0], "effect")
     assert "casadi" in page
-    again = hertzwerk("report", "runs/soft_ball-001")
-    assert (again.exit_code, "which exists" in again.output) == (2, True)
+    assert "which exists" in called("report", "runs/soft_ball-001", code=2).output
     record = json.loads((tmp_path / "runs/soft_ball-001/run.json").read_text())
     record["request"]["target"] = str(tmp_path / "never.py")  # a file is executed only where it is named
     (tmp_path / "never.py").write_text("raise SystemExit(7)")
     (tmp_path / "runs/soft_ball-001/run.json").write_text(json.dumps(sealed(record)))
-    assert hertzwerk("report", "runs/soft_ball-001", "--out", "b.html").exit_code == 0
+    called("report", "runs/soft_ball-001", "--out", "b.html")
     assert "does not contain its scene" in (tmp_path / "b.html").read_text("utf-8")
 
 
 def test_the_command_reports_a_scene(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    done = CliRunner().invoke(main, ["report", "soft_ball"], catch_exceptions=False)
-    assert done.exit_code == 0, done.output
+    called("report", "soft_ball")
     outline = Outline((tmp_path / "soft_ball.html").read_text("utf-8"))
     assert {"Picture", "Parameters", "Equations"} <= set(outline.texts["h2"])
     (tmp_path / "empty").mkdir()
     for wrong in ("sof_ball", "empty"):
-        assert CliRunner().invoke(main, ["report", wrong], catch_exceptions=False).exit_code == 2
+        called("report", wrong, code=2)

@@ -16,7 +16,7 @@ def shown(name):
     return repr(load(name).histories)
 
 
-def test_histories_are_shown_as_a_table():
+def test_histories_are_shown_as_a_table_of_entries():
     lines = shown("bouncing_ball").splitlines()
     assert lines[0] == "in every run:" and "derived on request:" in lines
     row = next(line for line in lines if line.startswith("floor.normal_force "))
@@ -24,9 +24,6 @@ def test_histories_are_shown_as_a_table():
     at = row.index("N")
     assert all(line[at - 1] == " " and line[at] != " " for line in lines if not line.endswith(":"))
     assert load("bouncing_ball").histories._repr_html_().count("<tr>") == len(load("bouncing_ball").histories) + 1
-
-
-def test_a_history_of_a_table_is_an_entry_still():
     actual = load("bouncing_ball").histories
     assert actual[0] == Entry("t", "s", "time", derived=False) and isinstance(actual[1:2], tuple)
     assert repr(Histories()) == ""

@@ -73,10 +73,7 @@ def test_a_grid_has_what_was_varied_as_dimensions(grid):
         assert at["outcome"].item() == row.outcome == ("finished" if row["mass"] > 0 else "bad_input")
         assert at["message"].item() == row.message
     assert actual.attrs["outcome"] == "finished"
-
-
-def test_places_of_a_grid_without_a_row_say_so(grid):
-    """Rows come as they are done: those that an interrupted sweep lacks are not the last."""
+    # Rows come as they are done: those that an interrupted sweep lacks are not the last.
     part = replace(grid, rows=(grid.rows[1], grid.rows[4]))
     actual = part.to_xarray()
     assert actual["outcome"].values.tolist() == [["missing", "bad_input"], ["missing"] * 2, ["finished", "missing"]]
@@ -139,7 +136,7 @@ def test_points_of_rows_have_a_dimension_of_their_own(ball, tmp_path):
 
 
 @pytest.mark.parametrize("name", ["grid", "pairs"])
-def test_a_parquet_file_opens_with_pandas_and_with_pyarrow(name, request, tmp_path):
+def test_files_open_with_the_programs_they_are_for(name, request, tmp_path):
     table = request.getfixturevalue(name)
     file = table.to_file(tmp_path / "t.parquet")
     frame, plain = pd.read_parquet(file), pq.read_table(file)
@@ -153,11 +150,6 @@ def test_a_parquet_file_opens_with_pandas_and_with_pyarrow(name, request, tmp_pa
         )
     peaks = plain.column("floor.peak_force")
     assert peaks.null_count == np.isnan(table["floor.peak_force"]).sum()  # null, which no mean takes for a number
-
-
-@pytest.mark.parametrize("name", ["grid", "pairs"])
-def test_a_netcdf_file_opens_with_xarray(name, request, tmp_path):
-    table = request.getfixturevalue(name)
     with xr.open_dataset(table.to_file(tmp_path / "t.nc"), engine="h5netcdf") as actual:
         assert actual.sizes == table.to_xarray().sizes
         flat = actual.stack(row=("drop_height", "mass")) if name == "grid" else actual
@@ -231,7 +223,7 @@ def test_a_file_that_is_written_in_parts_is_that_of_the_whole(pairs, grid, tmp_p
         monkeypatch.undo()
 
 
-def test_files_are_whole_and_overwritten_on_request_only(pairs, tmp_path, monkeypatch):
+def test_files_are_whole_and_every_fault_of_one_comes_at_once(tmp_path, pairs, monkeypatch):
     file = pairs.to_file(tmp_path / "t.parquet")
     with pytest.raises(InputError, match="which exists"):
         pairs.to_file(file)
@@ -241,9 +233,6 @@ def test_files_are_whole_and_overwritten_on_request_only(pairs, tmp_path, monkey
         pairs.to_file(file, overwrite=True)
     assert [path.name for path in tmp_path.iterdir()] == ["t.parquet"]
     assert file.read_bytes() == before
-
-
-def test_every_fault_of_a_file_comes_at_once(tmp_path):
     (tmp_path / "t.xls").touch()
     actual = [fault.found for fault in table_file_faults(tmp_path / "t.xls")]
     assert actual == [str(tmp_path / "t.xls"), f"{tmp_path / 't.xls'}, which exists"]

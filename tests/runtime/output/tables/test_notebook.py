@@ -67,7 +67,7 @@ def test_a_sweep_shows_its_first_rows():
     assert "and 2 more rows" in page.texts
 
 
-def test_a_scene_shows_all_that_it_declares():
+def test_a_scene_and_a_model_show_all_that_they_declare():
     scene = scene_from("slider_crank")
     page = Cells(scene._repr_html_())
     assert not page.open
@@ -78,9 +78,6 @@ def test_a_scene_shows_all_that_it_declares():
         "<b>" not in scene.named("other", "<b> & more").summary
         or "<b> & more" in Cells(scene.named("other", "<b> & more")._repr_html_()).texts
     )
-
-
-def test_a_model_shows_its_start_and_its_parameters():
     model = load("slider_crank")
     page = Cells(model._repr_html_())
     assert not page.open
@@ -100,12 +97,9 @@ def test_every_law_shows_formulas_symbols_and_source(name):
 PLAIN = ()  # laws with an expression whose LaTeX has no MathML
 
 
-def test_a_law_with_values_shows_them():
+def test_laws_with_values_and_audits_are_shown():
     e = Parameter("restitution", "1", 0.8)
     assert "restitution/2" in Cells(laws.flores(e=e / sp.Integer(2))._repr_html_()).texts
-
-
-def test_an_audit_shows_verdicts_and_repairs():
     findings = audit_scene(scene_from("slider_crank"))
     page = Cells(findings._repr_html_())
     assert f"{len(findings)} findings, all consistent" in page.texts

@@ -51,36 +51,19 @@ def test_a_drift_that_is_not_searched_leaves_less_correlation():
     assert actual[0].correlation < 0.9 < 0.9999 < actual[1].correlation
 
 
-def test_one_value_is_taken_as_given():
+def test_values_given_gains_ends_of_ranges_and_horizons():
     t, values = measured(pulses, 0.0, 0.0)
     actual = align(Known(pulses), t, values, (0.01, 0.01), (0.0, 0.0))
     assert (actual.offset, actual.drift, actual.searched) == (0.01, 0.0, False)
-
-
-def test_gain_and_level_do_not_shift_what_is_found():
+    with pytest.raises(InputError, match="lie within the run"):
+        align(Known(pulses), t, values, (-1.0, 1.0), (0.0, 0.0))
+    with pytest.raises(InputError, match="narrower range"):
+        align(Known(pulses, 3.0), t, values, (0.0, 0.0), (-0.5, 0.9))
     t, values = measured(pulses, 0.0123456, 0.0)
     actual = align(Known(pulses), t, 7 + 3 * values, (-0.04, 0.04), (0.0, 0.0))
     assert actual.offset == pytest.approx(0.0123456, abs=2e-7)
-
-
-def test_a_best_offset_at_the_end_of_its_range_is_doubted():
-    t, values = measured(pulses, 0.0123456, 0.0)
     assert "lies at an end" in align(Known(pulses), t, values, (-0.01, 0.012), (0.0, 0.0)).doubts[0]
-
-
-def test_a_second_offset_that_is_as_good_is_doubted_and_a_worse_one_is_not():
-    def wave(t):
-        return np.sin(2 * np.pi * 50 * t)
-
-    t, values = measured(wave, 0.001, 0.0, noise=0.1)
-    assert any(
-        "correlates nearly as well" in text for text in align(Known(wave), t, values, (-0.03, 0.03), (0, 0)).doubts
-    )
-    assert align(Known(wave), t, values, (-0.009, 0.009), (0, 0)).doubts == ()
-
-
-def test_only_times_up_to_the_horizon_count_where_there_are_enough():
-    """Seeded fault: later the data are those of another motion, of the same size, 5 ms late."""
+    # Seeded fault: later the data are those of another motion, of the same size, 5 ms late.
     t, values = measured(pulses, 0.0, 0.0)
     late = t > 0.3
     values[late, 0] = pulses(t[late] - 0.005)
@@ -89,12 +72,19 @@ def test_only_times_up_to_the_horizon_count_where_there_are_enough():
     assert "beyond the horizon" in align(Known(pulses), t, values, (-0.02, 0.02), (0.0, 0.0), horizon=0.01).doubts[0]
 
 
-def test_ranges_that_leave_too_few_samples_or_are_too_wide_are_refused():
-    t, values = measured(pulses, 0.0, 0.0)
-    with pytest.raises(InputError, match="lie within the run"):
-        align(Known(pulses), t, values, (-1.0, 1.0), (0.0, 0.0))
-    with pytest.raises(InputError, match="narrower range"):
-        align(Known(pulses, 3.0), t, values, (0.0, 0.0), (-0.5, 0.9))
+def test_a_second_offset_that_is_as_good_is_doubted_and_one_outside_the_search_has_no_error():
+    def wave(t):
+        return np.sin(2 * np.pi * 50 * t)
+
+    t, values = measured(wave, 0.001, 0.0, noise=0.1)
+    assert any(
+        "correlates nearly as well" in text for text in align(Known(wave), t, values, (-0.03, 0.03), (0, 0)).doubts
+    )
+    assert align(Known(wave), t, values, (-0.009, 0.009), (0, 0)).doubts == ()
+    t, values = measured(pulses, 0.001, 0.0, noise=0.1)
+    actual = align(Known(pulses), t, values, (0.0, 2e-3), (0.0, 0.0))
+    assert actual.offset_error > 0 and np.isnan(actual.drift_error)
+    assert np.isnan(align(Known(pulses), t, values, (0.001, 0.001), (0.0, 0.0)).offset_error)
 
 
 def coloured(seed, size, memory):
@@ -154,10 +144,3 @@ def test_errors_that_take_correlated_noise_for_white_would_be_seen(monkeypatch):
     z = scores(0.8, (0, 0), samples=2000)
     assert np.std(z) > 1.25
     assert np.mean(np.abs(z) < 1.96) < 0.88
-
-
-def test_an_offset_outside_the_search_has_no_error():
-    t, values = measured(pulses, 0.001, 0.0, noise=0.1)
-    actual = align(Known(pulses), t, values, (0.0, 2e-3), (0.0, 0.0))
-    assert actual.offset_error > 0 and np.isnan(actual.drift_error)
-    assert np.isnan(align(Known(pulses), t, values, (0.001, 0.001), (0.0, 0.0)).offset_error)

@@ -45,6 +45,12 @@ def test_noise_drift_and_holes_leave_the_noise_alone(run):
         assert 0.85 < signal.residual.rms / signal.residual.noise < 1.15
         assert signal.missing and signal.spectrum.distance < 1.5
     assert "explains every residual" in str(comparison)
+    figure = comparison.plot()
+    titles = [axis.get_title("left") for axis in figure.axes]
+    assert len(titles) == 8 and sum("residual" in title for title in titles) == 2
+    assert [len(axis.lines) > 0 for axis in figure.axes] == [True] * 8
+    comparison = compare(run, data_of(run), map=MAP, **(HOW | {"noise": None}))
+    assert comparison.differs is None and "is not stated" in str(comparison)
 
 
 @pytest.mark.parametrize("seed", [2, 3, 4])
@@ -71,11 +77,6 @@ def test_other_friction_leaves_a_larger_residual_at_the_same_noise(run):
     other = simulate(load("slider_crank_frictionless"), duration="12 ms")
     comparison = compare(other, data_of(run), map=MAP, **HOW)
     assert comparison.differs is True and "more than" in str(comparison)
-
-
-def test_without_noise_nothing_is_judged(run):
-    comparison = compare(run, data_of(run), map=MAP, **(HOW | {"noise": None}))
-    assert comparison.differs is None and "is not stated" in str(comparison)
 
 
 def test_the_trajectory_is_compared_within_the_horizon_and_statistics_beyond(run):
@@ -120,7 +121,7 @@ def test_doubtful_comparisons_are_warned_of(run):
     assert "horizon is not known" in " ".join(compare(rough, data_of(run), map=MAP, **HOW).warnings)
 
 
-def test_all_faults_of_a_request_come_at_once(run):
+def test_requests_with_faults_and_runs_without_steps_are_refused(run):
     with pytest.raises(InputError) as error:
         compare(
             run,
@@ -135,6 +136,9 @@ def test_all_faults_of_a_request_come_at_once(run):
     ):  # fmt: skip
         assert expected in text, (expected, text)
     assert "e: found no column" in text
+    grid = simulate(load("slider_crank"), duration="12 ms", tolerance=1e-6, grid=100)
+    with pytest.raises(InputError, match="kept its steps"):
+        compare(grid, data_of(run), map=MAP)
 
 
 @pytest.mark.parametrize(
@@ -145,19 +149,6 @@ def test_ranges_are_read_with_units(text, ends):
 
     faults = []
     assert read_between("offset", text, "s", faults) == pytest.approx(ends) and not faults
-
-
-def test_a_run_without_its_steps_is_refused(run):
-    grid = simulate(load("slider_crank"), duration="12 ms", tolerance=1e-6, grid=100)
-    with pytest.raises(InputError, match="kept its steps"):
-        compare(grid, data_of(run), map=MAP)
-
-
-def test_the_picture_shows_every_signal(run):
-    figure = compare(run, data_of(run), map=MAP, **HOW).plot()
-    titles = [axis.get_title("left") for axis in figure.axes]
-    assert len(titles) == 8 and sum("residual" in title for title in titles) == 2
-    assert [len(axis.lines) > 0 for axis in figure.axes] == [True] * 8
 
 
 def test_the_picture_of_many_samples_keeps_gaps_and_extremes():

@@ -49,6 +49,8 @@ def test_cells_hold_the_whole_impulse(ball):
     momentum = ball.engine.final["vertical.speed"] + 9.81 * ball.engine.t_end
     assert np.sum(seen.values) * seen.spacing == pytest.approx(momentum, rel=1e-6)
     assert np.sum(ball.at(seen.t)[NAME]) * seen.spacing != pytest.approx(momentum, rel=0.5)
+    with pytest.raises(InputError, match="shorter run"):
+        FilteredRun(ball, [NAME], Instrument(1e6), 1.0)
 
 
 def test_zero_phase_does_not_shift_and_causal_does(ball):
@@ -79,15 +81,7 @@ def test_a_start_is_forgotten_after_the_settling_time():
     left = np.abs(1 - instrument.filtered(step, instrument.spacing)[:, 0])
     after = int(instrument.settling / instrument.spacing)
     assert np.max(left[after:]) < 5e-3 < np.max(left[after // 3 :])
-
-
-def test_a_run_of_too_many_cells_is_refused(ball):
-    with pytest.raises(InputError, match="shorter run"):
-        FilteredRun(ball, [NAME], Instrument(1e6), 1.0)
-
-
-def test_a_causal_filter_has_seen_the_first_value_for_ever():
-    """A constant passes it unchanged from the first sample on."""
+    # A constant passes it unchanged from the first sample on.
     constant = np.full((50, 1), 3.0)
     assert Instrument(20.0, order=3).filtered(constant, 1e-3) == pytest.approx(constant, rel=1e-12)
 

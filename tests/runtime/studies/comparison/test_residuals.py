@@ -41,6 +41,16 @@ def test_limits_of_the_noise_are_those_of_chi_squared():
     )  # n (1 - phi^2)/(1 + phi^2) tell the variance
     worth = [residual_of(T, x, np.zeros(len(T)), None).independent for x in series]
     assert np.mean(worth) == pytest.approx(len(T) * 0.36 / 1.64, rel=0.05)
+    # Oracle: sums of 20 have sum of squared autocorrelations (20/3), so 4000 are worth about 300.
+    white, smooth = (residual_of(T, noise(1, n), np.zeros(len(T)), 1.0).independent for n in (1, 20))
+    assert white > 3500
+    assert smooth == pytest.approx(4000 / (1 + 2 * sum((k / 20) ** 2 for k in range(1, 20))), rel=0.35)
+    wave = np.sin(2 * np.pi * T)
+    residual = residual_of(T, wave + 0.5, wave, None)
+    assert (residual.rms, residual.mean, residual.peak) == pytest.approx((0.5, 0.5, 0.5))
+    assert residual.correlation == pytest.approx(1) and residual.explained is None
+    assert residual_of(T, wave, -wave, None).correlation == pytest.approx(-1)
+    assert math.isnan(residual_of(T, wave, np.zeros(len(T)), None).correlation)
 
 
 def test_noise_that_is_overstated_is_reported():
@@ -52,39 +62,17 @@ def test_noise_that_is_overstated_is_reported():
     )
 
 
-def test_correlated_samples_are_worth_fewer():
-    """Oracle: sums of 20 have sum of squared autocorrelations (20/3), so 4000 are worth about 300."""
-    white, smooth = (residual_of(T, noise(1, n), np.zeros(len(T)), 1.0).independent for n in (1, 20))
-    assert white > 3500
-    assert smooth == pytest.approx(4000 / (1 + 2 * sum((k / 20) ** 2 for k in range(1, 20))), rel=0.35)
-
-
-def test_numbers_of_a_residual():
-    wave = np.sin(2 * np.pi * T)
-    residual = residual_of(T, wave + 0.5, wave, None)
-    assert (residual.rms, residual.mean, residual.peak) == pytest.approx((0.5, 0.5, 0.5))
-    assert residual.correlation == pytest.approx(1) and residual.explained is None
-    assert residual_of(T, wave, -wave, None).correlation == pytest.approx(-1)
-    assert math.isnan(residual_of(T, wave, np.zeros(len(T)), None).correlation)
-
-
-def test_log_spectral_distance_is_that_of_the_gain():
+def test_spectra_see_gains_and_noise_or_say_why_not():
     """Oracle: ten times the amplitude is 20 dB at every frequency. The same signal late in time has the same spectrum."""
     x = noise(5)
     actual = spectrum_of(series_of(T, 10 * x, x), 400.0, coherent=True, noise=None)
     assert actual.distance == pytest.approx(20, abs=1e-6) and actual.coherence == pytest.approx(1)
     late = spectrum_of(series_of(T, np.roll(x, 2000), x), 400.0, coherent=True, noise=None)
     assert late.distance < 2.5 and late.coherence < 0.3
-
-
-def test_stated_noise_is_added_to_the_spectrum_of_the_run():
     x, added = noise(5, 20), 0.5 * noise(6)
     series = series_of(T, x + added, x)
     with_noise, without = (spectrum_of(series, 400.0, coherent=False, noise=size) for size in (0.5, None))
     assert with_noise.distance < 1.5 < 5 < without.distance
-
-
-def test_a_spectrum_that_says_nothing_has_a_reason():
     assert "missing" in series_of(T[np.r_[0:1000, 3000:4000]], T[:2000], T[:2000])
     short = series_of(T[:100], T[:100], T[:100])
     assert "too few" in spectrum_of(short, 400.0, coherent=False, noise=None)
@@ -116,13 +104,7 @@ def test_excursions_are_counted_once_each():
     x = np.where(np.modf(8 * t)[0] < 0.2, 1 + 0.3 * np.sign(np.sin(2 * np.pi * 200 * t)), 0.01 * np.sin(50 * t))
     (rate,) = (each for each in statistics_of(t, x, x, "m", 0.25) if each.name == "excursions")
     assert rate.measured.value == pytest.approx(8, rel=0.02) and rate.unit == "1/s"
-
-
-def test_too_short_a_series_has_statistics_without_confidence():
     statistics = statistics_of(T[:100], noise(1)[:100], noise(2)[:100], "m", 0.02)
     assert all(each.differs is None and "at least 8 intervals" in each.run.reason for each in statistics)
-
-
-def test_chance_of_so_many_differences():
     assert by_chance(6, 0) == 1 and by_chance(6, 1) == pytest.approx(1 - 0.95**6)
     assert by_chance(6, 3) < 0.01 < by_chance(6, 2)

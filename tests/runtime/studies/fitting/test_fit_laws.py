@@ -18,6 +18,12 @@ HOW = {
 }
 
 
+FALLS = {
+        "map": {"height": "vertical.travel"}, "noise": {"height": "1 mm"}, "initial": None, "inputs": None, "duration": None, "offset": "0 s",
+        "gain": None, "tolerance": 1e-11, "method": "dop853", "starts": 0, "seed": 0, "compiled": False, "profile": False,
+}  # fmt: skip
+
+
 def drops(model, heights=(0.4, 0.8, 1.2)):
     """Speeds and peak forces of the first two impacts of drops, with noise."""
     rng, made = np.random.default_rng(5), []
@@ -56,14 +62,10 @@ def test_weights_are_akaikes(ball):
     t, sigma = np.linspace(0.02, 0.44, 40), 1e-3
     y = 1.1 - 9.81 * t**2 / 2 + sigma * np.sin(37 * np.arange(40))
     data = Measurement(t, {"height": y}, {"height": "m"})
-    options = {
-        "map": {"height": "vertical.travel"}, "noise": {"height": "1 mm"}, "initial": None, "inputs": None, "duration": None, "offset": "0 s",
-        "gain": None, "tolerance": 1e-11, "method": "dop853", "starts": 0, "seed": 0, "compiled": False, "profile": False,
-    }  # fmt: skip
     start = {"vertical.travel": "1..1.2 m"}
     result = ranked({
-        "free": read_fit(ball, data, {"gravity": "9..11 m/s^2", **start}, parameters=None, **options),
-        "held": read_fit(ball, data, start, parameters={"gravity": "9.81 m/s^2"}, **options),
+        "free": read_fit(ball, data, {"gravity": "9..11 m/s^2", **start}, parameters=None, **FALLS),
+        "held": read_fit(ball, data, start, parameters={"gravity": "9.81 m/s^2"}, **FALLS),
     })  # fmt: skip
 
     def aicc(*columns):
@@ -84,12 +86,10 @@ def test_runs_held_out_are_judged_by_the_fit_of_the_others(ball):
     """Two falls h = s - g t^2/2 with s free: each has the density of normal noise about the mean of the other."""
     t, sigma = np.linspace(0.02, 0.4, 30), 1e-3
     falls = [1.1 - 9.81 * t**2 / 2 + sigma * np.sin(factor * np.arange(30)) for factor in (37, 11)]
-    options = {
-        "map": {"height": "vertical.travel"}, "noise": {"height": "1 mm"}, "initial": None, "inputs": None, "duration": None, "offset": "0 s",
-        "gain": None, "tolerance": 1e-11, "method": "dop853", "starts": 0, "seed": 0, "compiled": False, "profile": False, "parameters": None,
-    }  # fmt: skip
     data = [Measurement(t, {"height": fall}, {"height": "m"}) for fall in falls]
-    actual = ranked({"one": read_fit(ball, data, {"vertical.travel": "1..1.2 m"}, **options)}).best.held_out
+    actual = ranked(
+        {"one": read_fit(ball, data, {"vertical.travel": "1..1.2 m"}, parameters=None, **FALLS)}
+    ).best.held_out
     raised = [fall + 9.81 * t**2 / 2 for fall in falls]
     expected = [norm.logpdf(one, np.mean(other), sigma).sum() for one, other in (raised, raised[::-1])]
     assert actual == pytest.approx(expected, rel=1e-6)
@@ -104,9 +104,6 @@ def test_bad_laws_are_one_error(ball):
         fit_laws(ball, data, {"floor": ["flores"]}, free=["restitution"], map=HOW["map"])
     with pytest.raises(InputError, match="laws by effect"):
         fit_laws(ball, data, {"floor": "flores"}, free=["restitution"])
-
-
-def test_laws_are_divided_outside_brackets():
     assert split_laws("flores, power(K=1e6 N/m, n=1) x flores,hunt_crossley") == [
         "flores", "power(K=1e6 N/m, n=1) x flores", "hunt_crossley",
     ]  # fmt: skip

@@ -32,10 +32,7 @@ def test_newton_is_found_for_three_halves_alone(impacts):
     assert {i.unit.exponent: i.unit.unit for i in impacts} == {1.0: "N/m^0.5", 1.5: "N", 2.0: "N m^0.5"}
     assert [i.unit.in_mm for i in impacts] == pytest.approx([1000**-0.5, 1, 1000**0.5], rel=1e-9)
     assert verdicts(impacts) == [True] * 4
-
-
-def test_linear_impacts_last_half_a_period(impacts):
-    """Nearly, as the damping of e = 0.9 lengthens them: pi sqrt(m/K)."""
+    # Nearly, as the damping of e = 0.9 lengthens them: pi sqrt(m/K).
     assert impacts[0].duration == pytest.approx(np.pi * np.sqrt(study.MASS / study.STIFFNESS), rel=5e-3)
     h, e = study.DAMPING, impacts[0].restitution
     assert h * (1 + e) == pytest.approx(np.log((1 + h) / (1 - h * e)), rel=1e-9)

@@ -210,12 +210,8 @@ def test_processes_look_for_no_garbage_in_what_they_were_forked_with(ball):
         return gc.get_freeze_count()
 
     sets = [{"drop_height": height} for height in HEIGHTS[:2]]
-    ours, theirs = (
-        simulate_many(ball, sets, workers=workers, compiled=False, functions={"left_out": left_out}, **SETTINGS)[
-            "left_out"
-        ]
-        for workers in (1, 2)
-    )
+    how = {"compiled": False, "functions": {"left_out": left_out}, **SETTINGS}
+    ours, theirs = (simulate_many(ball, sets, workers=workers, **how)["left_out"] for workers in (1, 2))
     assert ours.max() == gc.get_freeze_count() < theirs.min()
 
 
@@ -271,16 +267,9 @@ def test_ctrl_c_returns_the_rows_that_are_done(workers):
     killer = threading.Thread(target=interrupt)
     killer.start()
     sweep = simulate_many(
-        model,
-        sets,
-        duration=1e6,
-        tolerance=1e-10,
-        compiled=False,
-        workers=workers,
-        max_steps=10**9,
-        max_events=10**9,
+        model, sets, duration=1e6, tolerance=1e-10, compiled=False, workers=workers, max_steps=10**9, max_events=10**9,
         progress=lambda fraction: done.set() if fraction >= 0.25 else None,
-    )
+    )  # fmt: skip
     killer.join()
     assert sweep.interrupted
     assert [row.index for row in sweep] == [0, 1]
@@ -290,12 +279,8 @@ def test_ctrl_c_returns_the_rows_that_are_done(workers):
 def test_sets_name_the_joints_states_in_absolute_coordinates_too():
     angles = [0.2, 0.4]
     sets = [{"shoulder.angle": f"{angle} rad", "length": "0.5 m"} for angle in angles]
-    tree, absolute = (
-        simulate_many(
-            engine_model("double_pendulum", coordinates=kind), sets, duration="0.1 s", tolerance=1e-9, workers=1
-        )
-        for kind in (None, "absolute")
-    )
+    models = (engine_model("double_pendulum", coordinates=kind) for kind in (None, "absolute"))
+    tree, absolute = (simulate_many(m, sets, duration="0.1 s", tolerance=1e-9, workers=1) for m in models)
     assert list(absolute["outcome"]) == ["finished"] * 2
     assert list(absolute["shoulder.angle"]) == angles
     assert absolute["final.upper.angle"] == pytest.approx(tree["final.shoulder.angle"], abs=1e-7)

@@ -12,11 +12,10 @@ from contextlib import closing, suppress
 from hashlib import sha256
 
 import pytest
-from click.testing import CliRunner
+from commands import called
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Sweep, sweep
-from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.studies.sweeps import stored_rows, sweep_store
 
 ROWS = 10
@@ -187,10 +186,6 @@ def folder(whole, tmp_path):
     return tmp_path / "a"
 
 
-def command(*arguments):
-    return CliRunner().invoke(main, list(map(str, arguments)))
-
-
 def test_resume_computes_the_damaged_row_again_and_says_which(whole, folder):
     """One digit of one number, as SQLite itself would write it: the file is in order, the row is not."""
     with closing(sqlite3.connect(folder / sweep_store.ROWS)) as connection, connection:
@@ -200,17 +195,12 @@ def test_resume_computes_the_damaged_row_again_and_says_which(whole, folder):
     read = Sweep.load(folder)
     assert [row.index for row in read] == [0, 1, 2, *range(4, ROWS)]
     assert read.outcome.message == f"1 of {ROWS} rows are missing, as rows.sqlite is damaged"
-    ended = command("sweep", "--resume", folder, "--workers", "1")
-    assert ended.exit_code == 0, ended.output
-    text = " ".join(ended.output.split())
-    assert (
-        "rows.sqlite was damaged: 9 rows of it are whole; row 3 damaged; the damaged file is kept as rows.damaged-001.sqlite"
-        in text
-    )
+    text = " ".join(called("sweep", "--resume", folder, "--workers", "1").output.split())
+    assert "rows.sqlite was damaged: 9 rows of it are whole; row 3 damaged; the damaged file is kept as rows.damaged-001.sqlite" in text  # fmt: skip
     assert numbers(Sweep.load(folder)) == numbers(whole[1])
     with closing(sqlite3.connect(folder / "rows.damaged-001.sqlite")) as aside:
         assert aside.execute("SELECT count(*) FROM rows").fetchone() == (ROWS,)
-    assert "was damaged" not in command("sweep", "--resume", folder, "--workers", "1").output
+    assert "was damaged" not in called("sweep", "--resume", folder, "--workers", "1").output
 
 
 def test_a_file_that_is_none_of_sqlite_is_set_aside_with_its_rows_kept(whole, folder):
@@ -276,18 +266,12 @@ def test_a_definition_with_faults_names_each(folder):
     file.write_text(json.dumps({**record, "varied": "drop_height", "seed": None}))
     with pytest.raises(InputError) as refused:
         Sweep.load(folder)
-    assert {fault.where.rpartition(": ")[2] for fault in refused.value.faults} == {
-        "functions",
-        "columns",
-        "varied",
-        "seed",
-    }
+    places = {fault.where.rpartition(": ")[2] for fault in refused.value.faults}
+    assert places == {"functions", "columns", "varied", "seed"}
     file.write_text(json.dumps({**record, "functions": {}, "columns": {}}))
-    ended = command("sweep", "--resume", folder)
-    assert ended.exit_code == 2
-    assert "entries that do not fit its digest" in ended.output
+    assert "entries that do not fit its digest" in called("sweep", "--resume", folder, code=2).output
     file.write_bytes(b"\xff{")
-    assert command("sweep", "--resume", folder).exit_code == 2
+    called("sweep", "--resume", folder, code=2)
 
 
 SCENE = """
@@ -305,20 +289,15 @@ def test_resume_executes_no_file_but_that_of_the_sweep(tmp_path):
     call = (
         "sweep", target, "--over", "length=0.5,1 m", "--duration", "0.1 s", "--tolerance", "1e-6", "--workers", "1",
     )  # fmt: skip
-    assert command(*call, "--out", into).exit_code == 0
-    assert command("sweep", "--resume", into, "--workers", "1").exit_code == 0
+    called(*call, "--out", into)
+    called("sweep", "--resume", into, "--workers", "1")
     executed = log.read_text()
     target.write_text(SCENE.format(log=str(log)) + "# changed")
-    ended = command("sweep", "--resume", into, "--workers", "1")
-    assert ended.exit_code == 2
+    ended = called("sweep", "--resume", into, "--workers", "1", code=2)
     assert str(target) in ended.output.replace("\n", "")
     assert log.read_text() == executed
-    assert (
-        command(*call, "--out", into).exit_code == 0
-    )  # who names it executes it: the same scene, whose digest is kept
-    assert (
-        json.loads((into / sweep_store.DEFINITION).read_text())["target_file"]
-        == sha256(target.read_bytes()).hexdigest()
-    )
+    called(*call, "--out", into)  # who names it executes it: the same scene, whose digest is kept
+    kept = json.loads((into / sweep_store.DEFINITION).read_text())["target_file"]
+    assert kept == sha256(target.read_bytes()).hexdigest()
     target.unlink()
-    assert command("sweep", "--resume", into, "--workers", "1").exit_code == 2
+    called("sweep", "--resume", into, "--workers", "1", code=2)

@@ -11,11 +11,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from benchmarks import rows
-from click.testing import CliRunner
+from commands import called
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Sweep, sweep
-from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES
 from hertzwerk.runtime.studies.sweeps import parameter_sweep, stored_rows, sweep_store, sweep_table
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design, read_design
@@ -201,7 +200,7 @@ def test_more_rows_than_memory_holds_are_refused_without_a_folder_and_as_one_obj
         with pytest.raises(InputError, match="3 in memory"):
             make()
     assert table.to_file(tmp_path / "a.parquet").stat().st_size > 0
-    record = json.loads(CliRunner().invoke(main, ["sweep", "--resume", str(folder), "--json"]).stdout)
+    record = json.loads(called("sweep", "--resume", folder, "--json").stdout)
     assert (record["rows"], record["outcomes"], record["table"]) == (3, {"finished": 3}, {})
 
 

@@ -60,22 +60,13 @@ def test_outputs_of_contacts_are_those_of_the_impacts(crank):
 
 
 def test_statistics_have_the_interval_of_the_run(crank):
-    names = [
-        "slider_pin.impact_rate",
-        "slider_pin.mean_force",
-        "slider_pin.mean_peak_force",
-        "slider_pin.dissipated_power",
-    ]
-    (row,) = sweep(crank, {"clearance": "0.5 mm"}, outputs=names, compiled=False, workers=1, **CRANK)
+    pairs = {"impact_rate": "impact_rate", "mean_force": "normal_force", "mean_peak_force": "peak_force"}
+    pairs = {f"slider_pin.{name}": f"slider_pin.{other}" for name, other in pairs.items()}
+    pairs["slider_pin.dissipated_power"] = "slider_pin.dissipated_power"
+    (row,) = sweep(crank, {"clearance": "0.5 mm"}, outputs=[*pairs], compiled=False, workers=1, **CRANK)
     run = simulate(crank, parameters={"clearance": "0.5 mm"}, compiled=False, **CRANK)
     found = {average.name: average for average in run.averages()}
-    theirs = [
-        "slider_pin.impact_rate",
-        "slider_pin.normal_force",
-        "slider_pin.peak_force",
-        "slider_pin.dissipated_power",
-    ]
-    for name, other in zip(names, theirs, strict=True):
+    for name, other in pairs.items():
         mean, half_width = found[other].mean, found[other].half_width
         assert row[name] == mean
         np.testing.assert_equal(row[f"{name}.half_width"], math.nan if half_width is None else half_width)
@@ -86,15 +77,8 @@ def test_statistics_have_the_interval_of_the_run(crank):
 def test_impulse_and_work_obey_the_balances_of_momentum_and_energy(ball):
     """A ball that rests in the end: the floor's impulse is the weight's, what it dissipates the energy of the fall."""
     names = ["floor.impulse", "floor.dissipated", "final.vertical.speed"]
-    (row,) = sweep(
-        ball,
-        {"restitution": "0.3"},
-        outputs=names,
-        parameters={"drop_height": "0.2 m"},
-        duration="3 s",
-        tolerance=1e-9,
-        workers=1,
-    )
+    how = {"parameters": {"drop_height": "0.2 m"}, "duration": "3 s", "tolerance": 1e-9, "workers": 1}
+    (row,) = sweep(ball, {"restitution": "0.3"}, outputs=names, **how)
     weight = ball.bind()["mass"] * ball.bind()["gravity"]
     assert row["floor.impulse"] == pytest.approx(3 * weight, rel=1e-6)
     assert row["floor.dissipated"] == pytest.approx(0.2 * weight, rel=1e-3)
@@ -117,16 +101,13 @@ def test_reducers_of_a_history_have_their_closed_forms():
     )
 
 
-def test_every_output_that_is_offered_can_be_had(crank):
+def test_every_output_that_is_offered_can_be_had_and_says_what_it_needs(crank):
     names = list(known(crank))
     (row,) = sweep(crank, {"clearance": "0.5 mm"}, outputs=names, duration="60 ms", tolerance=1e-5, workers=1)
     assert row.outcome == "finished"
     assert set(row.outputs) == {name for output in known(crank).values() for name in output.columns}
     nothing = {name for name, value in row.outputs.items() if math.isnan(value)}
     assert nothing == {"error", *(name for name in row.outputs if name.endswith(".half_width"))}  # five revolutions
-
-
-def test_an_output_says_what_it_needs_of_a_run(crank):
     outputs = known(crank)
     assert outputs["final.guide.travel"].needs == outputs["slider_pin.dissipated"].needs == Needs.ENDS
     assert outputs["slider_pin.peak_force"].needs == Needs.IMPACTS
@@ -138,16 +119,9 @@ def test_an_output_says_what_it_needs_of_a_run(crank):
 
 def test_every_fault_comes_at_once(ball):
     with pytest.raises(InputError) as caught:
-        sweep(
-            ball,
-            {"drop_hight": "1..2 m:3", "mass": "1..2 m"},
-            parameters={"mass": "1 kg", "radios": "1 m"},
-            outputs=["floor.peak", 3, "impacts", "impacts"],
-            functions={"steps": 3, "mass": len},
-            duration="2 kg",
-            tolerance=2,
-            workers=0,
-        )
+        how = {"parameters": {"mass": "1 kg", "radios": "1 m"}, "duration": "2 kg", "tolerance": 2, "workers": 0}
+        how |= {"outputs": ["floor.peak", 3, "impacts", "impacts"], "functions": {"steps": 3, "mass": len}}
+        sweep(ball, {"drop_hight": "1..2 m:3", "mass": "1..2 m"}, **how)
     places = [fault.where for fault in caught.value.faults]
     assert places == [
         *("over['mass']", "drop_hight", "radios", "mass", "3", "floor.peak", "outputs"),

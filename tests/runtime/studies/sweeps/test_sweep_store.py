@@ -63,12 +63,8 @@ def same(one, other):
 
 def test_stored_rows_equal_those_returned_and_are_not_computed_again(ball, tmp_path, counted):
     height, computed = counted
-    how = {
-        **BALL,
-        "parameters": {"radius": "21 mm"},
-        "outputs": ["floor.peak_force", "floor.impact_rate", "final.vertical.speed"],
-        "functions": {"n": height},
-    }
+    how = {**BALL, "parameters": {"radius": "21 mm"}, "functions": {"n": height}}
+    how |= {"outputs": ["floor.peak_force", "floor.impact_rate", "final.vertical.speed"]}
     plain = sweep(ball, OVER, **how)
     assert computed() == 5
     kept = sweep(ball, OVER, out=tmp_path / "a", **how)
@@ -124,26 +120,17 @@ def test_rows_whose_numbers_would_change_are_computed_anew(ball, tmp_path, count
 def test_readings_that_are_derived_otherwise_are_computed_anew(tmp_path, monkeypatch):
     """Their formulas are no part of the model's text: a row of theirs is that of the formulas that it was computed by."""
     over, how = {"length": "1, 2 m"}, {"duration": "0.1 s", "workers": 1, "compiled": False}
-    before, other = (
-        sweep(engine_model(pendulum.scene), over, outputs=[name], out=tmp_path / name, **how)
-        for name in ("bob.speed.max", "hinge.angle.max")
-    )
+
+    def swept(name, **more):
+        return sweep(engine_model(pendulum.scene), over, outputs=[name], out=tmp_path / name, **how, **more)
+
+    before, other = swept("bob.speed.max"), swept("hinge.angle.max")
     monkeypatch.setattr(derived_histories, "dot", lambda a, b: 4 * dot(a, b))
     with pytest.raises(InputError, match="readings"):
-        sweep(engine_model(pendulum.scene), over, outputs=["bob.speed.max"], out=tmp_path / "bob.speed.max", **how)
-    now = sweep(
-        engine_model(pendulum.scene),
-        over,
-        outputs=["bob.speed.max"],
-        out=tmp_path / "bob.speed.max",
-        widen=True,
-        **how,
-    )
+        swept("bob.speed.max")
+    now = swept("bob.speed.max", widen=True)
     np.testing.assert_allclose(now["bob.speed.max"], 2 * before["bob.speed.max"], rtol=1e-12)
-    same(
-        other,
-        sweep(engine_model(pendulum.scene), over, outputs=["hinge.angle.max"], out=tmp_path / "hinge.angle.max", **how),
-    )
+    same(other, swept("hinge.angle.max"))
 
 
 def test_equal_points_share_a_row(ball, tmp_path, counted):
@@ -252,20 +239,17 @@ def test_a_lost_row_is_tried_anew_by_the_next_call_and_in_a_process_of_its_own(b
     same(sweep(ball, OVER, **how), sweep(ball, OVER, **{**how, "out": None, "workers": 1}))
 
 
-def test_a_row_that_is_there_cannot_be_stored_again(tmp_path):
-    with sweep_store.opened(tmp_path / "a") as opened:
-        opened.add({"k": row(0)}, {})
-        with pytest.raises(sqlite3.IntegrityError):
-            opened.add({"k": row(0)}, {})
-
-
-def test_a_row_comes_back_bitwise(tmp_path):
+def test_a_row_comes_back_bitwise_and_cannot_be_stored_again(tmp_path):
     outputs = {"x": 0.1 + 0.2, "y": -0.0, "z": float("nan"), "u": float("inf"), "v": 5e-324}
     written = Row(0, {"b": "2", "a": (0.1, "mm")}, "failed", "why", {"a": 1e-4}, outputs, ("one", "two"), 0.25)
     with sweep_store.opened(tmp_path / "a") as opened:
         opened.add({"k": written}, {0: "k"})
     (read,) = StoredRows(tmp_path / "a" / sweep_store.ROWS, "", Design({"a": ((0.1, "mm"),)}, fixed={"b": "2"}))
     assert repr(read) == repr(written)
+    with sweep_store.opened(tmp_path / "b") as opened:
+        opened.add({"k": row(0)}, {})
+        with pytest.raises(sqlite3.IntegrityError):
+            opened.add({"k": row(0)}, {})
 
 
 # -- a full disk -------------------------------------------------------------------------------------------------------
@@ -419,12 +403,8 @@ def test_rows_that_are_stored_ten_at_a_time_would_be_found_missing(tmp_path):
 
 
 def test_definitions_are_plain_and_say_where_they_come_from(ball, tmp_path):
-    sweep(
-        engine_model("bouncing_ball", laws={"floor": "hunt_crossley"}),
-        {"mass": "0.1..0.2 kg:2"},
-        out=tmp_path / "a",
-        **BALL,
-    )
+    model = engine_model("bouncing_ball", laws={"floor": "hunt_crossley"})
+    sweep(model, {"mass": "0.1..0.2 kg:2"}, out=tmp_path / "a", **BALL)
     record = json.loads((tmp_path / "a" / sweep_store.DEFINITION).read_text())
     assert (record["target"], record["laws"]) == ("bouncing_ball", {"floor": "hunt_crossley"})
     assert record["over"] == {"mass": "0.1..0.2 kg:2"}

@@ -30,14 +30,8 @@ G = 9.81
 def fallen(ball):
     """Ball in flight for 0.4 s: y = h - g t^2/2 is linear in h and g, y' = -g t in g alone."""
     uncertain = {"vertical.travel": Normal("1 m", "3 cm"), "gravity": Normal("9.81 m/s^2", "0.2 m/s^2")}
-    return propagate(
-        ball,
-        uncertain,
-        ["final.vertical.travel", "final.vertical.speed", "impacts"],
-        sample=128,
-        duration="0.4 s",
-        **SHORT,
-    )
+    outputs = ["final.vertical.travel", "final.vertical.speed", "impacts"]
+    return propagate(ball, uncertain, outputs, sample=128, duration="0.4 s", **SHORT)
 
 
 def test_both_methods_agree_on_a_linear_output(fallen):
@@ -61,7 +55,7 @@ def test_both_methods_agree_on_a_linear_output(fallen):
     assert area == pytest.approx(1, abs=1e-3)  # of the normal curve
 
 
-def test_sobol_indices_of_a_sum_are_its_parts(fallen):
+def test_sobol_indices_of_a_sum_are_its_parts_and_constants_have_none(fallen):
     place, speed, _ = fallen
     part = 0.03**2 / (0.03**2 + (0.2 * 0.08) ** 2)
     for index in (place.first, place.total):
@@ -69,9 +63,6 @@ def test_sobol_indices_of_a_sum_are_its_parts(fallen):
         assert index["gravity"].value == pytest.approx(1 - part, abs=0.05)
         assert index["gravity"].low < 1 - part < index["gravity"].high
     assert speed.total["vertical.travel"].value == pytest.approx(0, abs=1e-12)
-
-
-def test_constant_outputs_have_no_sobol_indices(fallen):
     impacts = fallen["impacts"]
     assert (impacts.mean, impacts.std, impacts.first, impacts.total) == (0, 0, {}, {})
     assert "impacts: no variance" in fallen.plot().axes[-1].texts[0].get_text()
@@ -94,7 +85,7 @@ def test_a_product_has_an_interaction(ball):
     assert "function of yours" in result.reason
 
 
-def test_a_nonlinear_output_is_warned_of(ball):
+def test_nonlinear_outputs_and_runs_that_fail_are_warned_of(ball):
     """Some balls reach the floor within the run, others do not: a derivative tells one side alone."""
     wide = {"vertical.travel": Normal("0.9 m", "10 cm")}
     spread = propagate(ball, wide, ["final.vertical.speed"], sample=64, indices=False, duration="0.43 s", **SHORT)
@@ -103,9 +94,6 @@ def test_a_nonlinear_output_is_warned_of(ball):
     assert one.first == {}
     assert any("not linear" in text for text in one.warnings)
     assert "warning" in str(spread)
-
-
-def test_runs_that_fail_are_reported(ball):
     spread = propagate(
         ball, {"restitution": Normal(0.95, 0.05)}, ["final.vertical.speed"], sample=16, duration="0.1 s", **SHORT
     )
@@ -134,7 +122,7 @@ def test_a_duration_that_is_uncertain_has_no_derivative_of_its_own():
     assert "duration" in spread["final.guide.travel"].reason
 
 
-def test_distributions_are_those_of_their_names(ball):
+def test_distributions_and_their_covariance_are_those_of_their_names(ball):
     from hertzwerk.runtime.studies.uncertainty.distributions import distribution_of
 
     faults = []
@@ -148,6 +136,16 @@ def test_distributions_are_those_of_their_names(ball):
         0.2 / math.sqrt(12)
     )
     assert faults == []
+    s, rho = (math.log(1.3), math.log(1.1)), -0.6
+    drawn = [stats.lognorm(s[0], scale=2.0), stats.lognorm(s[1], scale=3.0), stats.uniform(0, 1)]
+    scores = np.array([[1, rho, 0], [rho, 1, 0.5], [0, 0.5, 1]])
+    result = covariance(drawn, scores)
+    assert result[0, 1] == pytest.approx(drawn[0].mean() * drawn[1].mean() * math.expm1(rho * s[0] * s[1]), rel=1e-9)
+    assert result[2, 2] == pytest.approx(1 / 12)
+    assert result[0, 2] == 0
+    points = correlated_parts(((np.arange(3 * 4096).reshape(3, -1) + 0.5) * [[0.618], [0.414], [0.732]]) % 1, scores)
+    ranks = stats.spearmanr(points[0], points[1]).statistic
+    assert ranks == pytest.approx(6 / math.pi * math.asin(rho / 2), abs=0.05)  # of a Gaussian copula
 
 
 def test_every_fault_is_reported_at_once(ball):
@@ -165,6 +163,17 @@ def test_every_fault_is_reported_at_once(ball):
         assert place in places
     with pytest.raises(InputError, match="distributions by name"):
         propagate(ball, {}, duration="1 s")
+    uncertain = {"mass": "Normal(1 kg, 0.1 kg)", "gravity": "Normal(9.8 m/s^2, 0.1 m/s^2)"}
+    uncertain |= {"restitution": "Uniform(0.5, 1)"}
+    bad = {"mass, gravty": 0.5, "mass": 0.1, "mass, restitution": 2, "gravity, mass": -0.5, "mass, gravity": 0.5}
+    with pytest.raises(InputError) as raised:
+        propagate(ball, uncertain, correlation=bad, duration="0.1 s")
+    text = str(raised.value)
+    for part in ("did you mean gravity", "two names", "between -1 and 1", "each pair once"):
+        assert part in text
+    tied = {"mass, gravity": 0.9, "gravity, restitution": 0.9, "mass, restitution": -0.9}
+    with pytest.raises(InputError, match="positive definite"):
+        propagate(ball, uncertain, correlation=tied, duration="0.1 s")
 
 
 def test_correlated_quantities_spread_together(ball):
@@ -182,36 +191,6 @@ def test_correlated_quantities_spread_together(ball):
     assert actual.first == {}
     with pytest.raises(InputError, match=r"indices of vertical\.travel, gravity, which are correlated"):
         propagate(ball, uncertain, correlation={"gravity, vertical.travel": rho}, indices=True, **how)
-
-
-def test_covariance_of_lognormal_quantities_is_that_in_closed_form():
-    s, rho = (math.log(1.3), math.log(1.1)), -0.6
-    drawn = [stats.lognorm(s[0], scale=2.0), stats.lognorm(s[1], scale=3.0), stats.uniform(0, 1)]
-    scores = np.array([[1, rho, 0], [rho, 1, 0.5], [0, 0.5, 1]])
-    result = covariance(drawn, scores)
-    assert result[0, 1] == pytest.approx(drawn[0].mean() * drawn[1].mean() * math.expm1(rho * s[0] * s[1]), rel=1e-9)
-    assert result[2, 2] == pytest.approx(1 / 12)
-    assert result[0, 2] == 0
-    points = correlated_parts(((np.arange(3 * 4096).reshape(3, -1) + 0.5) * [[0.618], [0.414], [0.732]]) % 1, scores)
-    ranks = stats.spearmanr(points[0], points[1]).statistic
-    assert ranks == pytest.approx(6 / math.pi * math.asin(rho / 2), abs=0.05)  # of a Gaussian copula
-
-
-def test_bad_correlations_are_one_error(ball):
-    uncertain = {
-        "mass": "Normal(1 kg, 0.1 kg)",
-        "gravity": "Normal(9.8 m/s^2, 0.1 m/s^2)",
-        "restitution": "Uniform(0.5, 1)",
-    }
-    bad = {"mass, gravty": 0.5, "mass": 0.1, "mass, restitution": 2, "gravity, mass": -0.5, "mass, gravity": 0.5}
-    with pytest.raises(InputError) as raised:
-        propagate(ball, uncertain, correlation=bad, duration="0.1 s")
-    text = str(raised.value)
-    for part in ("did you mean gravity", "two names", "between -1 and 1", "each pair once"):
-        assert part in text
-    tied = {"mass, gravity": 0.9, "gravity, restitution": 0.9, "mass, restitution": -0.9}
-    with pytest.raises(InputError, match="positive definite"):
-        propagate(ball, uncertain, correlation=tied, duration="0.1 s")
 
 
 def test_a_fit_is_propagated_with_its_correlation(ball):

@@ -59,7 +59,7 @@ def test_a_motor_switched_on(method, coordinates):
     assert run.energy_residual < 1e-6
 
 
-def test_a_stiff_current_is_passed_by_implicit_steps():
+def test_a_stiff_current_is_passed_by_implicit_steps_and_a_jolted_one_is_not_taken_for_stiff():
     """L/R of a microsecond beside a mechanical time constant of 0.2 s: auto and the implicit methods take few steps."""
     model = engine_model(shaft(motor()))
     options = {"duration": 0.5, "tolerance": 1e-6, "parameters": {"L": "2e-3 mH"}}
@@ -70,10 +70,7 @@ def test_a_stiff_current_is_passed_by_implicit_steps():
         assert run.engine.final["main.speed"] == pytest.approx(speed, rel=1e-4)
     assert steps["dopri5"] > 30_000 > 20 * steps["auto"]
     assert max(steps["esdirk"], steps["rodas"]) < 300
-
-
-def test_a_current_that_a_jolted_crank_drives_is_not_taken_for_stiff():
-    """R/L is 500/s; at impacts the current's rate follows the crank's speed, which changes much faster."""
+    # R/L is 500/s; at impacts the current's rate follows the crank's speed, which changes much faster.
     run = simulate(
         engine_model("slider_crank_dc_motor"), duration="6 ms", tolerance=1e-9, method="auto", compiled=False
     )
@@ -84,14 +81,8 @@ def test_a_current_that_a_jolted_crank_drives_is_not_taken_for_stiff():
 def test_a_controlled_speed_of_second_order():
     """PI on a torque: e'' + Kp/J e' + Ki/J e = 0 from e = w, e' = -Kp w/J."""
     w, Kp, Ki = 100.0, 0.02, 2.0
-    control = hd.SpeedController(
-        "control",
-        "main",
-        hd.Parameter("target", "rad/s", w),
-        hd.Parameter("Kp", "N m s/rad", Kp),
-        hd.Parameter("Ki", "N m/rad", Ki),
-        "N m",
-    )
+    gains = hd.Parameter("Kp", "N m s/rad", Kp), hd.Parameter("Ki", "N m/rad", Ki)
+    control = hd.SpeedController("control", "main", hd.Parameter("target", "rad/s", w), *gains, "N m")
     run = simulate(
         engine_model(shaft(hd.JointForce("drive", "main", control.command), control)), duration=0.5, tolerance=1e-10
     )
@@ -320,22 +311,6 @@ def test_events_between_impacts():
 # -- faults ------------------------------------------------------------------------------------------------------------
 
 
-def test_the_rate_of_a_state_has_its_unit_each_second():
-    class Wrong(SpeedRelay):
-        def states(self, scene):
-            yield hd.State("sign", "1", start=1)
-            yield hd.State("spent", "N", size=self.thrust)
-
-        def element(self, kin):
-            from dataclasses import replace
-
-            return replace(super().element(kin), rates={"spent": self.thrust})
-
-    wrong = Wrong("relay", "slide", hd.Parameter("thrust", "N", 3), hd.Parameter("h", "m/s", 0.1))
-    with pytest.raises(hd.InputError, match="expected W/m"):
-        engine_model(hd.Scene(SLED, (wrong,), SMALL))
-
-
 @pytest.mark.parametrize(
     ("change", "message"),
     [
@@ -354,7 +329,7 @@ def test_states_that_are_not_declared_or_not_used(change, message):
         )
 
 
-def test_bad_motors_and_controllers_are_reported_at_once():
+def test_bad_motors_and_controllers_and_rates_of_the_wrong_unit_are_reported():
     control = hd.SpeedController(
         *("control", "main", hd.Parameter("target", "N", 1), hd.Parameter("Kp", "V", 1)),
         *(hd.Parameter("Ki", "V/rad", 1), "furlong"),
@@ -369,3 +344,17 @@ def test_bad_motors_and_controllers_are_reported_at_once():
     places = " ".join(fault.where for fault in error.value.faults)
     for what in ("voltage", "resistance", "inductance", "constant"):
         assert what in places
+
+    class Wrong(SpeedRelay):
+        def states(self, scene):
+            yield hd.State("sign", "1", start=1)
+            yield hd.State("spent", "N", size=self.thrust)
+
+        def element(self, kin):
+            from dataclasses import replace
+
+            return replace(super().element(kin), rates={"spent": self.thrust})
+
+    wrong = Wrong("relay", "slide", hd.Parameter("thrust", "N", 3), hd.Parameter("h", "m/s", 0.1))
+    with pytest.raises(hd.InputError, match="expected W/m"):
+        engine_model(hd.Scene(SLED, (wrong,), SMALL))

@@ -225,15 +225,12 @@ def test_a_force_that_flattens_as_it_runs_out_is_landed_on():
         assert run["path.speed"][-1] == pytest.approx(y[1], rel=1e-4)
 
 
-def test_a_graze_that_is_not_in_doubt_does_not_halve_the_step():
+def test_grazes_and_forces_within_rounding_are_not_located():
     """Lower than zero, but within the margin: bodies that touch, with gaps of rounding, would halve it for ever."""
     touching = np.array([0.0, -1e-19, 2e-19, -1e-19, 1e-19, 0.0])
     assert float(SEARCH(touching, 1e-13, 0)) == NO_EVENT
     assert float(SEARCH(touching, 1e-13, 1e-12)) == 0.5
-
-
-def test_a_force_is_not_located_within_what_one_rounding_moves_it():
-    """Of a coordinate of 1 m by the contact's stiffness, however stiff, and of the time; else within the tolerance."""
+    # Of a coordinate of 1 m by the contact's stiffness, however stiff, and of the time; else within the tolerance.
     model = engine_model("bouncing_ball")
     history = simulate(model, duration="1 ms", tolerance=1e-9, initial={"vertical.travel": "1 m"}).engine.history
     vectors = layouts(model)

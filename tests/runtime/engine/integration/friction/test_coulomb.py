@@ -146,7 +146,7 @@ def sledge(angle=0.0, *, rocks=False, speed=0.0):
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_redundant_contacts_share_what_they_hold(method):
+def test_feet_share_what_they_hold_and_are_loaded_unequally_where_their_body_rocks(method):
     """Two feet that cannot but stick together: one force to share, so each takes half."""
     model = built(sledge)
     run = simulate(model, duration="2 s", method=method, parameters={"slope": 0.25}, tolerance=1e-6)
@@ -162,11 +162,7 @@ def test_redundant_contacts_share_what_they_hold(method):
     assert run.engine.final["along.travel"] == pytest.approx(1 / (2 * MU_K * GRAVITY), rel=1e-8)
     assert run.engine.final["along.speed"] == pytest.approx(0, abs=1e-14)
     assert run.energy_residual < 1e-7
-
-
-@pytest.mark.parametrize("method", METHODS)
-def test_a_body_that_rocks_loads_its_feet_unequally(method):
-    """Braking at the feet, which are below the middle, loads the front one: mu_k g m radius = (N_front - N_rear) FEET."""
+    # Braking at the feet, which are below the middle, loads the front one: mu_k g m radius = (N_front - N_rear) FEET.
     run = simulate(
         built(sledge, rocks=True), duration="1.5 s", method=method, tolerance=1e-8, parameters={"slide": "2 m/s"}
     )
@@ -215,7 +211,7 @@ def stack(upper, lower):
 
 
 @pytest.mark.parametrize("method", [*METHODS, CVODES])
-def test_stuck_on_what_slides(method):
+def test_stuck_on_what_slides_and_sliding_on_what_sticks(method):
     """0.4 above holds what 0.2 below takes: slab and block brake as one, each friction force through the other's mass."""
     run = simulate(built(stack, 0.4, 0.2), duration="0.6 s", method=method, tolerance=1e-8)
     slides = run.t < 0.5
@@ -224,11 +220,7 @@ def test_stuck_on_what_slides(method):
     assert run.engine.final["sled_x.travel"] == pytest.approx(1 / (2 * 0.2 * GRAVITY), rel=1e-8)
     assert abs(run.engine.final["cart_x.travel"]) < 1e-10
     assert run.energy_residual < 1e-7
-
-
-@pytest.mark.parametrize("method", [*METHODS, CVODES])
-def test_sliding_on_what_sticks(method):
-    """0.1 above, 0.3 below: the slab brakes faster and stands still under the block, which slides on for as long as 0.1 g takes."""
+    # 0.1 above, 0.3 below: the slab brakes faster and stands still under the block, which slides on for as long as 0.1 g takes.
     run = simulate(built(stack, 0.1, 0.3), duration="1.2 s", method=method, tolerance=1e-8)
     slab = (0.3 * 4 * GRAVITY - 0.1 * GRAVITY) / 3
     assert run.engine.final["sled_x.travel"] == pytest.approx(1 / (2 * slab), rel=1e-8)

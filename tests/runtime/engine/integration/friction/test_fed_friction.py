@@ -66,7 +66,7 @@ def test_a_swing_loses_as_much_in_every_half(method, coordinates):
     assert run.energy_residual < 1e-6
 
 
-def test_the_circle_of_friction():
+def test_the_circle_of_friction_and_the_smooth_law_converges_to_it():
     """It holds up to sin(angle) = mu_s r/l, and slides back under mu_k, by the resultant reaction."""
     model, limit = load(pendulum()), np.arcsin(0.35 * R / L)
     held, freed = (
@@ -77,22 +77,14 @@ def test_the_circle_of_friction():
     assert freed["bearing.slip"][0] == -1
     pressed = np.hypot(freed["hinge.reaction_x"], freed["hinge.reaction_y"])
     assert freed["bearing.friction_force"] == pytest.approx(0.2 * pressed, rel=1e-9)
-
-
-def test_the_smooth_law_converges_to_it():
     model = load(pendulum(hd.laws.smooth_coulomb(p("mu", "1", 0.2), p("v_s", "m/s", 1e-3))))
-    exact = simulate(load(pendulum()), duration=1.5, tolerance=1e-9, parameters={"lift": (1.2, "rad")})["hinge.angle"][
-        -1
-    ]
-    error = [
-        abs(
-            simulate(model, duration=1.5, tolerance=1e-9, parameters={"lift": (1.2, "rad"), "v_s": (v, "m/s")})[
-                "hinge.angle"
-            ][-1]
-            - exact
-        )
-        for v in (1e-2, 1e-3, 1e-4)
-    ]
+
+    def end(model, **given):
+        options = {"duration": 1.5, "tolerance": 1e-9, "parameters": {"lift": (1.2, "rad"), **given}}
+        return simulate(model, **options)["hinge.angle"][-1]
+
+    exact = end(load(pendulum()))
+    error = [abs(end(model, v_s=(v, "m/s")) - exact) for v in (1e-2, 1e-3, 1e-4)]
     assert error[0] > 3 * error[1] > 9 * error[2]
     assert error[2] < 1e-5
 
@@ -116,7 +108,7 @@ def test_a_guide_brakes_to_rest_up_to_where_it_locks(coordinates):
     assert stops["slide.travel"][-1] == pytest.approx(1 / (limit * G), rel=1e-6)
 
 
-def test_a_drawer_jams_whatever_pulls_it():
+def test_a_drawer_jams_whatever_pulls_it_and_a_wedge_locks_itself():
     """A pull F at an offset h presses two pads of length L with F h/L each: it jams for mu > L/(2 h), however strong F is."""
     drawer = hd.Body("drawer", p("mass", "kg", 2), inertia=p("J", "kg m^2", J))
     pull = hd.PointForce("pull", drawer.at(0, p("offset", "m", 0.2), 0), (p("F", "N", 1), 0, 0))
@@ -135,10 +127,7 @@ def test_a_drawer_jams_whatever_pulls_it():
         assert jams["rubs.friction_force"][-1] == pytest.approx(-force, rel=1e-12)
         slides = simulate(model, duration=0.1, tolerance=1e-9, parameters=mu(0.9 * limit, F=(force, "N")))
         assert slides["slide.acceleration"] == pytest.approx(0.1 * force / 2, rel=1e-9)
-
-
-def test_a_wedge_locks_itself():
-    """A load on a wedge of angle alpha holds for tan(alpha) <= mu; else it goes down with g (sin - mu cos)."""
+    # A load on a wedge of angle alpha holds for tan(alpha) <= mu; else it goes down with g (sin - mu cos).
     block = hd.Body("block", p("mass", "kg", 2), inertia=p("J", "kg m^2", J))
     slope = hd.Prismatic("slide", hd.GROUND.at(0, 0, 0).turned(hd.Z, p("alpha", "rad", 0.3)), block, axis=hd.X)
     model = load(
@@ -284,7 +273,7 @@ def test_two_frictions_feed_each_other(coordinates):
     assert run.energy_residual < 1e-8
 
 
-def test_derivatives_through_it():
+def test_derivatives_through_it_and_small_vibrations_of_what_sticks_and_slides():
     """Against differences of runs that stop twice and rest."""
     model, steps = load(pendulum()), {"mu": 1e-5, "lift": 1e-5}
     at = {"mu": 0.05, "lift": 0.05}
@@ -300,9 +289,6 @@ def test_derivatives_through_it():
         for history in ("hinge.angle", "bearing.dissipated"):
             slope = (above[history][-1] - below[history][-1]) / (2 * h)
             assert derivatives[history, name][-1] == pytest.approx(slope, rel=1e-5), (history, name)
-
-
-def test_small_vibrations_of_what_sticks_and_slides():
     run = simulate(load(pendulum()), duration=3.0, tolerance=1e-9, parameters=mu(0.05))
     assert len(modes(run, at=0.3).frequencies) == 1
     assert not len(modes(run, at=3.0).frequencies)

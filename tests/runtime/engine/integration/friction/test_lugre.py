@@ -8,9 +8,7 @@ from blocks import CARRIAGE, MASS, WEIGHT, block
 from jacobians import check_jacobian, start_of
 from scipy.integrate import solve_ivp
 
-from hertzwerk.derive import (  # fmt: skip
-    Parameter,
-)
+from hertzwerk.derive import Parameter
 from hertzwerk.derive.laws import lugre
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.loading import engine_model

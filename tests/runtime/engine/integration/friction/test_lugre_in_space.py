@@ -83,7 +83,7 @@ def test_a_ball_that_spins_is_what_scipy_finds(method, coordinates):
 # ---- presliding ------------------------------------------------------------------------------------------------------
 
 
-def test_bristles_are_springs_of_load_times_stiffness_in_every_direction():
+def test_bristles_are_springs_of_load_times_stiffness_and_hold_on_a_slope():
     """A particle at rest: two vibrations of sqrt(s_0 g), damped by s_1 g; they may stick anywhere."""
     found = modes(built(turns=False))
     sideways = [mode for mode in found.modes if mode.eigenvalue and abs(mode.shape["y.travel"]) < 1e-6]
@@ -91,10 +91,7 @@ def test_bristles_are_springs_of_load_times_stiffness_in_every_direction():
     for mode in sideways:
         assert abs(mode.eigenvalue) == pytest.approx(math.sqrt(S_0 * GRAVITY), rel=1e-9)
         assert -2 * mode.eigenvalue.real == pytest.approx(S_1 * GRAVITY, rel=1e-6)
-
-
-def test_held_on_a_slope_by_its_bristle():
-    """Within mu_s, whatever the direction; the deflection is tan(slope)/s_0."""
+    # Within mu_s, whatever the direction; the deflection is tan(slope)/s_0.
     held = equilibrium(built(turns=False), parameters={"slope": 0.1})
     assert held.converged
     assert held.sticking["rub"] == pytest.approx(math.tan(0.1) / S_0, rel=1e-9)
@@ -113,7 +110,6 @@ def test_held_on_a_slope_by_its_bristle():
 @cache
 def driven():
     """A ball carried along X and Z of a plate at given speeds, that only presses; the plate turns about Y."""
-    plate, cart, sledge, body = (hd.Body(name, 1, 1e-3) for name in ("plate", "cart", "sledge", "body"))
     mass, radius = hd.Parameter("mass", "kg", MASS), hd.Parameter("radius", "m", RADIUS)
     plate, cart, sledge = (
         hd.Body(name, mass, (hd.Parameter("inertia", "kg m^2", 1),) * 3) for name in ("plate", "cart", "sledge")

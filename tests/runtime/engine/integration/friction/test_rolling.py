@@ -215,14 +215,11 @@ def test_an_upright_disc_sways_as_fast_as_published(coordinates):
         assert actual["rolls.normal_force"] == pytest.approx(2 * 9.81, rel=1e-5)
 
 
-def test_a_rolling_wheel_on_a_spring_rests_and_vibrates_as_one_of_half_again_the_mass():
+def test_a_rolling_wheel_on_a_spring_vibrates_and_has_derivatives_in_closed_form():
     rest = equilibrium(engine_model(wheel(None, hd.JointSpring("tie", "ride.x", hd.Parameter("k", "N/m", 300)))))
     assert rest.q[0] == pytest.approx(2 * 9.81 * np.sin(0.4) / 300, rel=1e-9)
     assert modes(rest).frequencies == pytest.approx([np.sqrt(300 / 3) / (2 * np.pi)], rel=1e-9)
-
-
-def test_derivatives_of_a_rolling_wheel_are_those_of_its_closed_form():
-    """x = g sin(slope) t^2/3, whatever its mass and radius."""
+    # x = g sin(slope) t^2/3, whatever its mass and radius.
     actual = run(wheel(mu))
     by = actual.sensitivities("slope", "r", "m")
     assert by["ride.x", "slope"] == pytest.approx(9.81 * np.cos(0.4) * actual.t**2 / 3, abs=EXACT)
@@ -246,9 +243,6 @@ def test_every_fault_of_rolling_and_edges_is_reported_at_once():
         ("effect skate", "an edge of wheel on wheel"),
         ("effect tyre, coefficient", "-1"),
     ]
-
-
-def test_an_edge_moves_on_a_body():
     body = hd.Body("sleigh", m, m * r**2)
     edge = hd.KnifeEdge("skate", body.at(0, 0, 0), hd.X, on="ice")
     with pytest.raises(hd.InputError, match="effect skate, on: found 'ice'; expected a Body or GROUND"):

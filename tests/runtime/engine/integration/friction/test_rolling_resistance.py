@@ -70,18 +70,16 @@ def test_a_ball_rolls_to_rest(law, method, coordinates):
     assert run.energy_residual < 1e-6
 
 
-@pytest.mark.parametrize("share", [0.5, 0.9])
-def test_below_the_angle_of_repose_it_creeps(share):
-    """tan(slope) < c/r: it is held but for the smoothing, w0 s/sqrt(1 - s^2) with s = r tan(slope)/c."""
-    slope = math.atan(share * ARM / RADIUS)
-    run = simulate(model("coulomb"), duration="1 s", tolerance=1e-8, parameters={"slope": slope})
-    assert run.engine.final["flight.angular_speed_z"] == pytest.approx(
-        -LAYER * share / math.sqrt(1 - share**2), rel=1e-5
-    )
+def test_below_the_angle_of_repose_it_creeps_and_above_it_rolls_off():
+    """tan(slope) < c/r: it is held but for the smoothing, w0 s/sqrt(1 - s^2) with s = r tan(slope)/c.
 
-
-def test_above_the_angle_of_repose_it_rolls_off():
-    """With g (sin - c/r cos)/(1 + 2/5), but for what the smoothing lets off at the start."""
+    Above with g (sin - c/r cos)/(1 + 2/5), but for what the smoothing lets off at the start.
+    """
+    for share in (0.5, 0.9):
+        slope = math.atan(share * ARM / RADIUS)
+        run = simulate(model("coulomb"), duration="1 s", tolerance=1e-8, parameters={"slope": slope})
+        creeps = -LAYER * share / math.sqrt(1 - share**2)
+        assert run.engine.final["flight.angular_speed_z"] == pytest.approx(creeps, rel=1e-5)
     slope = math.atan(2 * ARM / RADIUS)
     run = simulate(model("coulomb"), duration="1 s", tolerance=1e-8, parameters={"slope": slope})
     rate = GRAVITY * (math.sin(slope) - ARM / RADIUS * math.cos(slope)) / 1.4

@@ -179,7 +179,7 @@ def test_resistance_alone_has_modes_beside_smoothed_friction():
 # ---- rest as a result ------------------------------------------------------------------------------------------------
 
 
-def test_statics_hold_it_up_to_the_angle_of_repose():
+def test_statics_hold_it_up_to_the_angle_of_repose_and_where_it_rests_has_derivatives():
     below, above = (math.atan(share * ARM / RADIUS) for share in (1 - 1e-6, 1 + 1e-6))
     held = equilibrium(model(), parameters={"slope": below})
     assert held.outcome.name == "found"
@@ -187,10 +187,7 @@ def test_statics_hold_it_up_to_the_angle_of_repose():
     assert held.sticking["floor"] == pytest.approx(MASS * GRAVITY * math.sin(below), rel=1e-9)
     assert ("sticks", "rolling", held.sticking["rolling"], "N m") in held.rows
     assert equilibrium(model(), parameters={"slope": above}).outcome.name == "no_equilibrium"
-
-
-def test_where_it_rests_has_derivatives():
-    """v^2/(2 a): by the arm -x/c, by the speed 2 x/v; the spin's heat by the patch none, all of it is spent."""
+    # v^2/(2 a): by the arm -x/c, by the speed 2 x/v; the spin's heat by the patch none, all of it is spent.
     run = simulate(model(), duration="3.2 s", method="dop853", tolerance=1e-9, parameters=shot(0.2, 0, 0.5))
     derivatives = run.sensitivities("arm", "patch", "gravity")
     assert derivatives.reason == ""
@@ -204,7 +201,7 @@ def test_where_it_rests_has_derivatives():
 # ---- declared and shown ----------------------------------------------------------------------------------------------
 
 
-def test_a_load_by_the_normal_force_is_one_by_the_weight():
+def test_a_load_by_the_normal_force_is_one_by_the_weight_and_those_by_reactions_that_it_changes_are_refused():
     """Friction changes no normal force: what rolls and rests beside a load by it moves as beside a known one."""
     body, lever = ball(dry(MU)).mechanism.joints[0].child.body, hd.Parameter("lever", "m", 1e-4)
     runs = [
@@ -214,9 +211,6 @@ def test_a_load_by_the_normal_force_is_one_by_the_weight():
     one, other = (run.engine.final["flight.x_speed"] for run in runs)
     assert one == pytest.approx(other, rel=1e-9)
     assert abs(one - 0.1) > 1e-3  # it is slowed
-
-
-def test_it_is_refused_beside_loads_by_reactions_that_it_changes():
     body, bob = (
         ball(dry(MU)).mechanism.joints[0].child.body,
         hd.Body("bob", hd.Parameter("m_bob", "kg", 1.0), hd.Parameter("J_bob", "kg m^2", 1e-3)),

@@ -42,7 +42,7 @@ def test_sticking_pairs_are_held_and_sliding_ones_oppose_friction(singular):
         assert np.all(slip * a >= -1e-8 * size)
 
 
-def test_who_sticks_may_hold_more_than_it_slides_with():
+def test_who_sticks_may_hold_more_than_it_slides_with_and_changing_all_at_once_alone_does_not_end(monkeypatch):
     """Static friction 1.3 times sliding friction: from sticking on, all stay that can."""
     settle = stick_and_slip.pivoting(COUNT)
     for W, b, sliding, _ in problems(300, singular=1.0):
@@ -54,10 +54,7 @@ def test_who_sticks_may_hold_more_than_it_slides_with():
         alone = np.linalg.solve(W, -b)
         if np.all(np.abs(alone) < 1.3 * sliding):
             assert sticks.all()
-
-
-def test_changing_all_at_once_alone_does_not_end(monkeypatch):
-    """The fault that this guards against: signs that flip for ever."""
+    # The fault that this guards against: signs that flip for ever.
     monkeypatch.setattr(stick_and_slip, "ONE_BY_ONE", 0)
     settle = stick_and_slip.pivoting(COUNT)
     unsettled = sum(solved(settle, *given)[3] for given in problems(300, singular=1e-2))

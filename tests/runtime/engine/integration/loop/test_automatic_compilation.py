@@ -40,11 +40,13 @@ def clock(monkeypatch):
         monkeypatch.setattr(module, "time", faked)
 
 
-def test_a_short_run_is_not_compiled(crank, clock, tmp_path):
+def test_a_short_run_is_not_compiled_and_other_values_of_compiled_are_refused(crank, clock, tmp_path):
     run = simulate(crank, duration="24 ms", tolerance=1e-8)
     assert not run.settings.compiled
     assert run.statistics.compile_s == 0
     assert not (tmp_path / "cache").exists()
+    with pytest.raises(InputError, match="auto"):
+        simulate(crank, duration="1 ms", compiled="always", tolerance=1e-6)
 
 
 def test_a_run_changes_to_c_on_the_way_and_no_bit_changes(crank, eager, tmp_path):
@@ -173,8 +175,3 @@ def test_a_run_is_not_compiled_for_the_time_it_took_to_build_what_chooses(wanted
     simulate(load("journal_lubricated"), duration="0.3 s", tolerance=1e-6)
     assert late
     assert max(wanted, default=0) < 60
-
-
-def test_other_values_of_compiled_are_refused(crank):
-    with pytest.raises(InputError, match="auto"):
-        simulate(crank, duration="1 ms", compiled="always", tolerance=1e-6)

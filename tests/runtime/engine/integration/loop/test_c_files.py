@@ -161,7 +161,7 @@ def test_arguments_and_results_may_be_absent(small):
             assert np.array_equal(np.array(expected), np.array(actual))
 
 
-def test_functions_for_events_are_apart_and_less_optimised(text):
+def test_functions_for_events_are_apart_call_the_right_hand_side_and_are_less_optimised(text, monkeypatch):
     """Of the functions that are long; what runs in every attempt is not among them."""
     often, *others = c_files.c_files(text)
     assert often.level == c_files.OFTEN
@@ -170,14 +170,13 @@ def test_functions_for_events_are_apart_and_less_optimised(text):
     assert {"advance_in_contact", "advance_in_flight", "chunk"} <= said[0]
     assert "decide" in said[1]  # `locate` and `moved` are short: they call
     assert not said[0] & said[1]
-
-
-def test_event_handling_calls_the_right_hand_side(text):
-    """It runs seldom: the ends of a step are one function of every move and change of modes, not written into each."""
+    # It runs seldom: the ends of a step are one function of every move and change of modes, not written into each.
     functions = {found["name"]: found for found in c_files._FUNCTION.finditer(text)}
     (ends,) = (name for name, found in functions.items() if found["said"] == "ends")
     callers = [found["said"] for found in functions.values() if f"{ends}(" in found["body"]]
     assert {"moved", "switch", "cut"} <= set(callers)
+    monkeypatch.setattr(c_files, "LARGE", len(text) // 2)
+    assert {file.level for file in c_files.c_files(text)} == {c_files.SELDOM}
 
 
 @pytest.mark.exhaustive
@@ -192,11 +191,6 @@ def test_a_variable_that_is_not_handed_on_is_noticed(small, monkeypatch):
     monkeypatch.setattr(c_files, "_parts", lossy)
     with pytest.raises(AssertionError):
         test_many_parts_in_many_files_give_the_same_bits(None, "dop853")
-
-
-def test_a_large_text_is_less_optimised(text, monkeypatch):
-    monkeypatch.setattr(c_files, "LARGE", len(text) // 2)
-    assert {file.level for file in c_files.c_files(text)} == {c_files.SELDOM}
 
 
 def test_methods_share_a_program_and_each_is_as_optimised_as_alone(loop, text, monkeypatch):

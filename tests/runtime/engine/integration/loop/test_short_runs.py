@@ -36,21 +36,18 @@ def everything(run, folder):
     return shown
 
 
-def test_a_run_without_a_step(stuck, tmp_path):
+def test_a_run_without_a_step_has_sums_of_no_interval(stuck, tmp_path):
     assert (stuck.outcome.name, stuck.engine.t_end, stuck.statistics.steps) == ("not_finite", 0.0, 0)
     for average in everything(stuck, tmp_path):
         assert average.mean is None
         assert average.block == pytest.approx(PERIOD)
         assert "not longer than its transient" in average.reason
     assert stuck.impacts == ()
+    sums = stuck.engine.findings.sums()
+    assert (sums.count, len(sums.memory)) == (0, 1)
 
 
 def test_a_run_of_one_step_on_a_grid_has_one_row(tmp_path):
     run = simulate(load("slider_crank"), duration="24 ms", tolerance=1e-6, grid=100, max_steps=1)
     assert (run.outcome.name, run.statistics.steps, len(run.t)) == ("too_many_steps", 1, 1)
     assert all(average.mean is None for average in everything(run, tmp_path))
-
-
-def test_a_driven_run_without_a_step_has_sums_of_no_interval(stuck):
-    sums = stuck.engine.findings.sums()
-    assert (sums.count, len(sums.memory)) == (0, 1)

@@ -49,7 +49,9 @@ def every_pair_evaluated(box):
     return simulate(box, initial=fast(1), **OPTIONS)
 
 
-def test_no_impact_of_fast_spheres_is_missed(listed, every_pair_evaluated, monkeypatch):
+def test_no_impact_of_fast_spheres_is_missed_and_dissipation_stays_booked_after_a_pair_leaves_the_list(
+    listed, every_pair_evaluated, monkeypatch
+):
     made, renewed = [], near_list.renewed
     monkeypatch.setattr(
         "hertzwerk.runtime.engine.integration.loop.chunk.renewed", lambda *given: made.append(0) or renewed(*given)
@@ -62,6 +64,12 @@ def test_no_impact_of_fast_spheres_is_missed(listed, every_pair_evaluated, monke
     for name in every:
         actual, expected = run.at([0.08])[name], every.at([0.08])[name]
         assert actual == pytest.approx(expected, abs=1e-6 * np.max(np.abs(every[name])) + 1e-9), name
+    assert len(run.engine.history.departures) > 3
+    names = [name for name in every if name.endswith(".dissipated")]
+    ends = [[float(of[name][-1]) for name in names] for of in (run, every)]
+    assert ends[0] == pytest.approx(ends[1], rel=1e-6, abs=1e-12)
+    dense = run.engine.history.part("y")[-1][-len(names) :]
+    assert dense.tolist() == ends[0]
 
 
 @pytest.mark.parametrize("factor", [10, 1e9])
@@ -72,17 +80,6 @@ def test_a_list_that_is_kept_too_long_misses_impacts(listed, every_pair_evaluate
     assert begun(run) != begun(every_pair_evaluated)
 
 
-def test_dissipation_of_a_pair_stays_booked_after_it_leaves_the_list(listed, every_pair_evaluated):
-    every = every_pair_evaluated
-    run = simulate(listed, initial=fast(1), **OPTIONS)
-    assert len(run.engine.history.departures) > 3
-    names = [name for name in every if name.endswith(".dissipated")]
-    ends = [[float(of[name][-1]) for name in names] for of in (run, every)]
-    assert ends[0] == pytest.approx(ends[1], rel=1e-6, abs=1e-12)
-    dense = run.engine.history.part("y")[-1][-len(names) :]
-    assert dense.tolist() == ends[0]
-
-
 def test_a_state_grows_with_bodies_not_with_pairs(monkeypatch):
     monkeypatch.setattr(near_pairs, "WORTH", 0.0)
     monkeypatch.setattr(near_pairs, "PLACES", 1)
@@ -91,12 +88,9 @@ def test_a_state_grows_with_bodies_not_with_pairs(monkeypatch):
     assert large.whole.k > 2.1 * small.whole.k
 
 
-def test_few_pairs_have_no_list(box):
+def test_few_pairs_have_no_list_and_a_pair_without_a_bound_by_centres_is_always_listed(box, monkeypatch):
     assert near_model(box) is None
-
-
-def test_a_pair_without_a_bound_by_centres_is_always_listed(box, monkeypatch):
-    """Landmarks that are off their body's origin, or a plane that moves."""
+    # Landmarks that are off their body's origin, or a plane that moves.
     rows = [
         ("floor_2", kind, role, "ball_1" if role == "plane" else body, more)
         if pair == "floor_2"

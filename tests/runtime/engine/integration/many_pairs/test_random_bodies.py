@@ -50,21 +50,13 @@ def test_a_wrong_run_is_found(fault):
     assert [actual.partition(" ")[0] for actual in finding.faults] == ["over", "estimate"]
 
 
-def test_slip_begins_when_the_holding_force_is_exceeded():
+def test_slip_begins_when_the_holding_force_is_exceeded_and_follows_the_direction_of_sliding():
     """mu_s = 1.4 mu_k: a landing aims beyond by the bound of rounding; every method was late by it, 1.4e-8 at each tolerance."""
     actual = run(body_of(807), tolerance=1e-12)
     rows = np.arange(0, len(actual.t), 20)
     (truth,) = motions([body_of(807)], at=actual.t[rows].tolist())
     assert distance(*truth_of(truth, actual, rows), actual.engine.scales.pace).max() < 3e-9
-
-
-def test_rounding_does_not_turn_a_slip_that_begins():
-    """9,310 of the 10,000 steps of body 397 were taken, of 1e-13 s each, in the microseconds in which it breaks loose at .19013 s."""
-    assert run(replace(body_of(397), duration=0.1903), tolerance=2.23e-13).statistics.steps < 1500
-
-
-def test_a_slip_follows_the_direction_of_sliding():
-    """Body 107 comes to rest at .279681 s along another way than it began to slide: up to 4.3e-9 off there at tolerances however small."""
+    # Body 107 comes to rest at .279681 s along another way than it began to slide: up to 4.3e-9 off there at tolerances however small.
     body = replace(body_of(107), duration=0.2797)
     actual = run(body, tolerance=1e-12)
     rows = np.flatnonzero(actual.t > 0.27968)
@@ -72,7 +64,15 @@ def test_a_slip_follows_the_direction_of_sliding():
     assert distance(*truth_of(truth, actual, rows), actual.engine.scales.pace).max() < 4e-10
 
 
-def test_a_slip_goes_on_until_it_comes_to_rest():
+def test_rounding_does_not_turn_a_slip_that_begins_nor_stop_the_steps():
+    """9,310 of the 10,000 steps of body 397 were taken, of 1e-13 s each, in the microseconds in which it breaks loose at .19013 s."""
+    assert run(replace(body_of(397), duration=0.1903), tolerance=2.23e-13).statistics.steps < 1500
+    # Body 209 breaks loose at .27471 s: in its slow slip Newton's changes are last digits, which do not contract; 100,000 steps of 1e-11 s.
+    actual = run(replace(body_of(209), duration=0.2748), tolerance=4.7e-13, max_steps=2000)
+    assert actual.outcome.finished
+
+
+def test_a_slip_goes_on_until_it_comes_to_rest_and_a_contact_until_its_force_runs_out():
     """Body 543 was brought to rest at .12875536 s, 1.26e-12 s early, when a step ended at 2.4e-8 m/s: rounding by 3e4 m/s^2 counted as rest."""
     body = replace(body_of(543), duration=0.1288)
     actual = run(body, tolerance=1e-12)
@@ -80,16 +80,7 @@ def test_a_slip_goes_on_until_it_comes_to_rest():
     sticks = next(t for t, kind, _ in motion.events if kind == "sticks")
     rests = actual.t[np.argmax((actual["floor.slip"] == 0) & (actual["floor.normal_force"] > 0))]
     assert abs(rests - sticks) < 2e-14
-
-
-def test_steps_go_on_where_rounding_turns_friction():
-    """Body 209 breaks loose at .27471 s: in its slow slip Newton's changes are last digits, which do not contract; 100,000 steps of 1e-11 s."""
-    actual = run(replace(body_of(209), duration=0.2748), tolerance=4.7e-13, max_steps=2000)
-    assert actual.outcome.finished
-
-
-def test_a_contact_ends_when_its_force_runs_out():
-    """Body 305: the last of a force fades by .4 N in a second; all methods saw its end up to 1e-10 s late, at tolerances however small."""
+    # Body 305: the last of a force fades by .4 N in a second; all methods saw its end up to 1e-10 s late, at tolerances however small.
     actual = run(body_of(305), tolerance=1e-12)
     (motion,) = motions([body_of(305)])
     begins, ends = (

@@ -125,14 +125,11 @@ def reference(count):
     return row(count, 0.004)
 
 
-def test_an_accuracy_is_reached_where_coordinates_begin_at_the_spheres():
+def test_an_accuracy_is_reached_and_coordinates_may_begin_at_the_spheres_or_at_one_origin():
     run = simulate(model_of(5), duration=0.004, accuracy=1e-9, compiled=False)
     assert run.outcome.finished
     assert np.max(np.abs(speeds(run, 5) - np.array(many.STRUCK[1.5]))) < 1e-9
-
-
-def test_the_same_row_in_coordinates_from_one_origin():
-    """Gaps between coordinates of their own size, as the other rows of the hard cases have them."""
+    # Gaps between coordinates of their own size, as the other rows of the hard cases have them.
     run = simulate(
         engine_model(row_of_spheres(4)), duration=0.004, tolerance=1e-12, parameters={"gap": "0 m"}, compiled=False
     )

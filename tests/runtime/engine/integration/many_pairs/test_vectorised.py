@@ -152,14 +152,11 @@ def test_the_dependence_of_rates_is_found_from_kinds(contacts):
     assert flow(balls(6), contacts).quadratures == balls(6).nz
 
 
-def test_operations_grow_with_kinds_not_with_pairs():
+def test_operations_grow_with_kinds_not_with_pairs_and_c_by_little():
     small, large = (of_pairs(balls(n), "gaps") for n in (6, 8))  # 21 and 36 pairs
     assert small.n_instructions() == large.n_instructions()
     assert balls(8).function("gaps").n_instructions() > 1.5 * balls(6).function("gaps").n_instructions()
-
-
-def test_c_of_the_loop_grows_by_little_with_pairs():
-    """A further pair adds its places in tables and its own text in functions that are not of pairs; written out it added 36 kB."""
+    # A further pair adds its places in tables and its own text in functions that are not of pairs; written out it added 36 kB.
     (table,) = (table() for table in METHODS["dop853"])
     sizes = [len(c_text([chunk(integrator(balls(n), (table,)))])) for n in (7, 9)]  # of one ladder
     assert (sizes[1] - sizes[0]) / (45 - 28) < 2000
@@ -201,20 +198,14 @@ def test_pairs_that_differ_are_of_another_kind(other):
     assert kinds(plain, plain, other, plain) == [[0, 1, 3], [2]]
 
 
-def test_leaves_in_another_place_are_the_same_kind():
+def test_leaves_in_another_place_are_the_same_kind_shared_values_are_computed_once_and_functions_stay_whole():
     assert kinds(plain, plain, lambda a, b, c: plain(c, a, b), plain) == [[0, 1, 2, 3]]
-
-
-def test_shared_values_are_computed_once():
     x = ca.SX.sym("x", 5)
     common = ca.exp(x[4])
     result = alike([x], [ca.SX(common * x[i]) for i in range(4)])
     assert [kind.items for kind in result.kinds] == [[0, 1, 2, 3]]
     assert result.shared.numel_out(0) == 1
     assert ca.OP_EXP not in {result.kinds[0].one.instruction_id(i) for i in range(result.kinds[0].one.n_instructions())}
-
-
-def test_functions_that_are_embedded_are_not_taken_apart():
     x = ca.SX.sym("x", 2)
     table = ca.interpolant("table", "linear", [[0.0, 1.0]], [0.0, 1.0])
     assert alike([x], [table(x[i]) for i in range(2)]) is None

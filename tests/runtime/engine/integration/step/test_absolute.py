@@ -120,7 +120,7 @@ def test_the_same_motion_energy_and_work(name):
         assert absolute.at(t)[row] == pytest.approx(tree.at(t)[row], abs=1e-7 * max(1.0, np.max(np.abs(tree[row]))))
 
 
-def test_slider_crank_with_clearance_through_its_impacts():
+def test_slider_crank_with_clearance_through_its_impacts_and_with_friction_that_sticks_and_slips():
     tree, absolute = both(slider_crank, 0.012)
     assert len(absolute.impacts) == len(tree.impacts) > 5
     t = np.linspace(0, 0.012, 40)
@@ -128,9 +128,6 @@ def test_slider_crank_with_clearance_through_its_impacts():
     assert other["slider.x"] == pytest.approx(one["guide.travel"], abs=1e-9)
     assert absolute.energy_residual < 1e-8
     assert absolute["energy_ledger.input"][-1] == pytest.approx(tree["energy_ledger.input"][-1], rel=1e-6)
-
-
-def test_friction_that_sticks_and_slips():
     friction = hd.Parameter("friction_coefficient", "1", 0.1)
     dry = replace(slider_crank.effect("slider_pin_friction"), law=coulomb(mu_k=friction, mu_s=friction))
     tree, absolute = both(slider_crank.replace(slider_pin_friction=dry), 0.004, tolerance=1e-10)
@@ -139,13 +136,10 @@ def test_friction_that_sticks_and_slips():
     assert absolute.energy_residual < 1e-9
 
 
-def test_redundant_constraints_are_named():
+def test_redundant_constraints_are_named_and_the_force_of_a_drive_holds_its_joint():
     run = simulate(engine_model(cranks().with_coordinates("absolute")), duration=0.1)
     assert any("middle.force_x" in warning for warning in run.warnings)
-
-
-def test_the_force_of_a_drive_holds_its_joint():
-    """Work of the drive between two bodies against what its multiplier does at its speed, summed over the steps of a fine grid."""
+    # Work of the drive between two bodies against what its multiplier does at its speed, summed over the steps of a fine grid.
     absolute = simulate(
         engine_model(driven_within().with_coordinates("absolute")), duration=1.0, tolerance=1e-10, grid=4001
     )

@@ -218,7 +218,7 @@ def test_axes_of_a_universal_joint_may_be_oblique():
 # -- what is refused ---------------------------------------------------------------------------------------------------
 
 
-def test_an_angle_that_is_a_coordinate_is_not_counted():
+def test_an_angle_that_is_a_coordinate_is_not_counted_nor_one_that_nothing_requests():
     slide = hd.Prismatic("slide", hd.GROUND, solid("block", 1, 0.1, 0.1, 0.1), axis=hd.X)
     spatial = hd.Revolute("turn", slide.child, solid("arm", 1, 0.1, 0.1, 0.1), axis=hd.X)
     flat = hd.Revolute("turn", slide.child, solid("arm", 1, 0.1, 0.1, 0.1), axis=hd.Z)
@@ -232,14 +232,8 @@ def test_an_angle_that_is_a_coordinate_is_not_counted():
     hd.Scene(
         hd.Mechanism("arm", (slide, spatial)), (hd.CountedAngle("count", "turn"), hd.EnergyLedger()), SCALES
     )  # for absolute coordinates
-
-
-def test_a_name_that_a_count_would_take_is_refused():
     with pytest.raises(hd.InputError, match=re.compile("out_count.*unique", re.DOTALL)):
         cardan(SPRING, hd.JointDamper("out_count", "inn", p("c", "N m s/rad", 1)))
-
-
-def test_a_scene_without_such_an_angle_counts_nothing():
     assert not cardan(
         hd.JointDamper("damper", "out", p("c", "N m s/rad", 1)), GEAR.__class__("gear", "wheel", "inn", ratio=-2)
     ).states

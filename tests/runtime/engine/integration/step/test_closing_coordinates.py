@@ -128,18 +128,12 @@ def spatial(*more):
     return hd.Scene(hd.Mechanism("loop", (column, ball, closing)), (*more, hd.EnergyLedger()), SCALES)
 
 
-def test_a_drive_of_a_closing_angle_in_space_is_refused_by_name():
+def test_drives_of_closing_angles_in_space_and_joints_without_coordinates_are_refused_by_name():
     with pytest.raises(
         hd.InputError, match=re.compile("'hinge', which closes a loop.*declare this one before", re.DOTALL)
     ):
         spatial(hd.Drive("drive", "hinge", position=p("zero", "rad", 0)))
-
-
-def test_a_joint_without_coordinate_is_refused_by_name():
     with pytest.raises(hd.InputError, match="joint 'ball'"):
         spatial(hd.JointSpring("spring", "ball", p("k", "N m/rad", 1)))
-
-
-def test_the_speed_of_an_angle_in_space_needs_no_count():
     scene = spatial(hd.JointDamper("damper", "hinge", p("c", "N m s/rad", 1)))
     assert "hinge" in scene.scalars and scene.mechanism.wrapped == ("hinge",) and not scene.states

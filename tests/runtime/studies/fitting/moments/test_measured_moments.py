@@ -90,20 +90,7 @@ def test_impacts_tell_by_their_rate_and_their_speeds():
     assert "explained" in actual._repr_html_() and "speed" in actual._repr_html_()
 
 
-def test_impacts_without_their_onsets_are_refused():
-    walls, free = load("ball_between_walls"), {"speed": "8..10 m/s"}
-    data = impacts(9.0)
-    requested = MeasuredSeries(data, map={"speed": "impacts.speed"}, bandwidth="5 kHz")
-    with pytest.raises(InputError) as raised:
-        fit_moments(walls, {"speed.mean": None}, free=free, series=requested)
-    for part in ("0 columns of onsets", "are not filtered"):
-        assert part in str(raised.value)
-    both = MeasuredSeries(data, map={"t": "impacts.t", "speed": "impacts.speed"})
-    with pytest.raises(InputError, match="one of mean, rms, norm8, norm32, largest, rate"):
-        fit_moments(walls, {"speed.excursions": None}, free=free, series=both)
-
-
-def test_bad_series_are_one_error(tmp_path):
+def test_bad_series_and_impacts_without_onsets_are_one_error(tmp_path):
     path = tmp_path / "long.csv"
     path.write_text("t [s],x [m/s]\n" + "".join(f"{0.1 * k},{k % 3}\n" for k in range(100)))
     requested = MeasuredSeries(path, map={"x": "slide.travle"}, bandwidth="5 m", skip="2 m", noise={"y": 1})
@@ -123,3 +110,13 @@ def test_bad_series_are_one_error(tmp_path):
     constant = Measurement(np.arange(1000) * 0.1, {"x": np.ones(1000)}, {"x": "m"})
     with pytest.raises(InputError, match="repeats exactly"):
         fit_moments(shaken(), {"x.rms": None}, free=FREE, series=MeasuredSeries(constant, map={"x": "slide.travel"}))
+    walls, free = load("ball_between_walls"), {"speed": "8..10 m/s"}
+    data = impacts(9.0)
+    requested = MeasuredSeries(data, map={"speed": "impacts.speed"}, bandwidth="5 kHz")
+    with pytest.raises(InputError) as raised:
+        fit_moments(walls, {"speed.mean": None}, free=free, series=requested)
+    for part in ("0 columns of onsets", "are not filtered"):
+        assert part in str(raised.value)
+    both = MeasuredSeries(data, map={"t": "impacts.t", "speed": "impacts.speed"})
+    with pytest.raises(InputError, match="one of mean, rms, norm8, norm32, largest, rate"):
+        fit_moments(walls, {"speed.excursions": None}, free=free, series=both)

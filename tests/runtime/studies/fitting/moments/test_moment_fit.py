@@ -66,9 +66,6 @@ def test_bad_moments_are_one_error(ball):
         assert part in text
     with pytest.raises(InputError, match="no_such"):
         fit_moments(ball, {"floor.no_such": "1 +- 1 N"}, free=RANGES, **HOW)
-
-
-def test_runs_that_do_not_finish_say_why(ball):
     with pytest.raises(InputError, match=r"runs that finish(.|\n)*too_many_steps: .* 3 steps accepted"):
         fit_moments(ball, {"floor.impulse": "8.9 +- 0.1 N s"}, free=["drop_height"], **HOW, max_steps=3)
 

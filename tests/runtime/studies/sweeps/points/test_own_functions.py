@@ -57,8 +57,5 @@ def test_functions_that_call_each_other_partial_ones_and_those_of_packages():
     assert defined(recursive) == defined(recursive)
     assert digest("f", functools.partial(max, 1)) != digest("f", functools.partial(max, 2))
     assert digest("f", np.max) == digest("f", np.max) != digest("f", np.min)
-
-
-def test_a_value_that_cannot_be_distinguished_is_refused():
     with pytest.raises(InputError, match="a value of type object, enclosed or used"):
         defined("K = object()\ndef f(run):\n    return K\n")

@@ -11,21 +11,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
+from commands import called
 from handmade import point
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Sweep, simulate_many, sweep
-from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps.batch import engine_of
 from hertzwerk.runtime.studies.sweeps.rows import cluster
 
-ASKED = {
-    "over": {"drop_height": "0.3..0.5 m:12"},
-    "duration": "0.5 s",
-    "outputs": ["floor.peak_force", "final.vertical.travel"],
-}
+ASKED = {"over": {"drop_height": "0.3..0.5 m:12"}, "duration": "0.5 s"}
+ASKED |= {"outputs": ["floor.peak_force", "final.vertical.travel"]}
 DASK = [sys.executable, "-m", "dask"]
 
 
@@ -167,32 +163,21 @@ def test_versions_that_differ_are_refused_by_name(client, monkeypatch):
 def test_an_object_that_cannot_be_sent_is_one_clear_error(client):
     lock = threading.Lock()
     with pytest.raises(InputError, match="functions that pickle"):
-        simulate_many(
-            engine_model("bouncing_ball"),
-            [{}],
-            duration="1 s",
-            client=client,
-            functions={"x": lambda run: lock.locked()},
-            compiled=False,
-        )
+        how = {"duration": "1 s", "compiled": False, "functions": {"x": lambda run: lock.locked()}}
+        simulate_many("bouncing_ball", [{}], client=client, **how)
     free = point(lambda d, v, v0: 1e6 * d)
     with pytest.raises(InputError, match="generated text"):
         simulate_many(free, [{}], duration=0.01, client=client, compiled=False)
 
 
-def test_bad_clients_are_bad_input():
+def test_bad_clients_are_bad_input_and_without_dask_the_extra_is_named(monkeypatch):
     with pytest.raises(InputError, match=r"distributed\.Client"):
         sweep("bouncing_ball", **ASKED, client="tcp://127.0.0.1:8786")
     with pytest.raises(InputError, match="beside a client"):
         sweep("bouncing_ball", **ASKED, client=object(), workers=2)
-
-
-def test_without_dask_the_extra_is_named(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
-    done = CliRunner().invoke(
-        main, ["sweep", "bouncing_ball", "--over", "drop_height=1,2", "--cluster", "tcp://host:1"]
-    )
-    assert (done.exit_code, "hertzwerk[cluster]" in done.stderr) == (2, True)
+    over = ("--over", "drop_height=1,2")
+    assert "hertzwerk[cluster]" in called("sweep", "bouncing_ball", *over, "--cluster", "tcp://host:1", code=2).stderr
     with pytest.raises(InputError, match=r"hertzwerk\[cluster\]"):
         sweep("bouncing_ball", **ASKED, client=object())
 
@@ -201,9 +186,7 @@ def test_without_dask_the_extra_is_named(monkeypatch):
 def test_a_scheduler_that_is_not_there_is_one_clear_error(address, monkeypatch, tmp_path):
     monkeypatch.setattr(cluster, "PATIENCE", 0.3)
     options = ["--over", "drop_height=0.3..0.5 m:3", "--duration", "0.5 s", "--out", str(tmp_path / "rows")]
-    done = CliRunner().invoke(main, ["sweep", "bouncing_ball", *options, "--cluster", address])
-    assert done.exit_code == 2
-    assert "no scheduler" in done.stderr
+    assert "no scheduler" in called("sweep", "bouncing_ball", *options, "--cluster", address, code=2).stderr
     assert not (tmp_path / "rows").exists()
 
 
@@ -250,12 +233,8 @@ def test_a_row_that_kills_its_workers_is_lost_alone(tmp_path):
     assert "died" in table.rows[10].message
 
 
-LONG = [
-    *("--over", "clearance=-2 mm, -1 mm, 0.4 mm, 0.5 mm"),
-    *("--duration", "1 h"),
-    *("--tolerance", "1e-10"),
-    *("--max-steps", "1000000000"),
-]
+LONG = ["--over", "clearance=-2 mm, -1 mm, 0.4 mm, 0.5 mm"]
+LONG += ["--duration", "1 h", "--tolerance", "1e-10", "--max-steps", "1000000000"]
 
 
 @contextmanager

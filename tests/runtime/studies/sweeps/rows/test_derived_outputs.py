@@ -55,13 +55,8 @@ def test_methods_and_durations_that_derivatives_cannot_follow_are_refused(crank)
 def test_an_average_beyond_the_horizon_says_so():
     """Of a chaotic double pendulum: errors of 1e-8 reach 1 % within ten seconds, see `test_lyapunov`."""
     model, name = engine_model("double_pendulum"), "d(elbow.speed.rms)/d(shoulder.angle)"
-    how = {
-        "parameters": {"elbow.angle": "2 rad"},
-        "outputs": [name],
-        "tolerance": 1e-8,
-        "compiled": False,
-        "workers": 1,
-    }
+    how = {"parameters": {"elbow.angle": "2 rad"}, "outputs": [name]}
+    how |= {"tolerance": 1e-8, "compiled": False, "workers": 1}
     (short,) = sweep(model, {"shoulder.angle": "2.5 rad"}, duration="2 s", **how)
     (long,) = sweep(model, {"shoulder.angle": "2.5 rad"}, duration="20 s", **how)
     assert short.outcome == "finished"
@@ -97,9 +92,6 @@ def test_the_slope_of_few_rows_has_the_interval_of_the_textbook():
     actual, expected = slope_of("slope", "1", x, y), linregress(x, y)
     assert actual.value == pytest.approx(expected.slope, rel=1e-12)
     assert actual.half_width == pytest.approx(2.776445 * expected.stderr, rel=1e-6)
-
-
-def test_a_slope_needs_rows_and_names():
     table = Sweep("made", (), {"x": "m", "outcome": "", "y": "N"}, ("x",), Outcome("finished", "", ""))
     with pytest.raises(InputError, match="at least 5 with several"):
         table.slope("y", "x")

@@ -19,15 +19,12 @@ def table_and_ball():
     table, ball = hd.Body("table", mass=mass), hd.Body("ball", mass=mass)
     joints = (hd.Prismatic("lift", hd.GROUND, table, axis=hd.Y), hd.Prismatic("vertical", hd.GROUND, ball, axis=hd.Y))
     pair = hd.SphereOnPlane("floor", sphere=ball.at(0, 0, 0), radius=radius, plane=table.at(0, 0, 0), normal=hd.Y)
+    damping = hd.laws.exact(e=hd.Parameter("restitution", "1", E))
     frequency, phase = hd.Parameter("frequency", "rad/s", OMEGA), hd.Parameter("phase", "rad", 1)
     effects = (
         hd.Harmonic("shaker", "lift", hd.Parameter("amplitude", "mm", 0.5), frequency, phase),
         hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", GRAVITY), direction=-hd.Y),
-        hd.Contact(
-            "floor",
-            hd.laws.power(hd.Parameter("stiffness", "N/m", 2.5e9), n=1),
-            hd.laws.exact(e=hd.Parameter("restitution", "1", E)),
-        ),
+        hd.Contact("floor", hd.laws.power(hd.Parameter("stiffness", "N/m", 2.5e9), n=1), damping),
     )
     scales = hd.Scales(length=hd.Parameter("length", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 0.3))
     return load(hd.Scene(hd.Mechanism("vibrating_table", joints, (pair,)), effects, scales))
@@ -41,21 +38,15 @@ def test_the_period_doubles_where_it_must():
     accelerations = np.array([0.7, 0.9 * DOUBLES, 0.99 * DOUBLES, 1.01 * DOUBLES, 1.05 * DOUBLES])
     amplitudes = accelerations * GRAVITY / OMEGA**2
     phases = np.arccos((1 - E) / (1 + E) * math.pi / accelerations)
+    over = {
+        "amplitude": [f"{a!r} m" for a in amplitudes.tolist()],
+        "phase": [f"{phi!r} rad" for phi in phases.tolist()],
+        "vertical.travel": [f"{x!r} m" for x in (0.01 + 1e-7 + amplitudes * np.sin(phases)).tolist()],
+    }
     table = sweep(
-        table_and_ball(),
-        {
-            "amplitude": [f"{a!r} m" for a in amplitudes.tolist()],
-            "phase": [f"{phi!r} rad" for phi in phases.tolist()],
-            "vertical.travel": [f"{x!r} m" for x in (0.01 + 1e-7 + amplitudes * np.sin(phases)).tolist()],
-        },
-        zip=True,
-        parameters={"vertical.speed": f"{SPEED!r} m/s"},
-        duration="10 s",
-        section="floor.gap = 0 falling",
-        histories=["vertical.speed"],
-        after="9 s",
-        tolerance=1e-8,
-    )
+        table_and_ball(), over, zip=True, parameters={"vertical.speed": f"{SPEED!r} m/s"}, duration="10 s", after="9 s",
+        section="floor.gap = 0 falling", histories=["vertical.speed"], tolerance=1e-8,
+    )  # fmt: skip
     for row, acceleration, phi in zip(table, accelerations, phases, strict=True):
         actual = table.section.of(row)
         assert len(actual["t"]) in (19, 20, 21)

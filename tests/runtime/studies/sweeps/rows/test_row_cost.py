@@ -23,11 +23,8 @@ def model():
 
 def calls(model, monkeypatch, duration, outputs=()):
     """Calls of compiled functions by a row, by name without the size of a block, once everything is built."""
-    job = Job(
-        model,
-        Settings(duration, None, 1e-6, compiled=False),
-        chosen(model, outputs, []) if outputs else finals(model),
-    )
+    wanted = chosen(model, outputs, []) if outputs else finals(model)
+    job = Job(model, Settings(duration, None, 1e-6, compiled=False), wanted)
     assert job.do((0, {"clearance": "0.3 mm"}))[0].outcome == "finished"
     counted, evaluate = Counter(), Caller.__call__
 
@@ -70,17 +67,11 @@ def test_no_attempt_is_passed_on_for_final_states(model, monkeypatch):
 
 def test_findings_of_the_loop_are_bitwise_those_of_a_run_with_steps(model):
     given = {"clearance": "0.3 mm"}
-    (row,) = Job(
-        model,
-        Settings("24 ms", None, 1e-6, compiled=False),
-        chosen(model, ["energy_residual", "final.guide.travel", "final.slider_pin_friction.dissipated"], []),
-    ).do((0, given))
+    states = ("guide.travel", "slider_pin_friction.dissipated")
+    wanted = chosen(model, ["energy_residual", *(f"final.{name}" for name in states)], [])
+    (row,) = Job(model, Settings("24 ms", None, 1e-6, compiled=False), wanted).do((0, given))
     run = simulate(model, duration="24 ms", tolerance=1e-6, parameters=given, compiled=False)
-    assert list(row.outputs.values()) == [
-        run.energy_residual,
-        run.engine.final["guide.travel"],
-        run.engine.final["slider_pin_friction.dissipated"],
-    ]
+    assert list(row.outputs.values()) == [run.energy_residual, *(run.engine.final[name] for name in states)]
     of_steps = [*beyond_theory(run.engine.validity)]  # found where steps are looked at, as these are
     of_steps += [text for text in run.warnings if "exceed the damping law" in text]
     assert [*of_steps, *row.warnings] == list(run.warnings)

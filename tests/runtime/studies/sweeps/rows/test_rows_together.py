@@ -38,15 +38,26 @@ def job():
     return Job(model, SETTINGS, [*chosen(model, ASKED, []), own("first", only_small)])
 
 
-def plain(row):
+def timeless(row):
     """A row without its time."""
     texts = {name: None if math.isnan(x) else x for name, x in row.outputs.items()}
     return replace(row, wall_s=0.0, outputs=texts)
 
 
+def plain(job):
+    return [timeless(row) for row in job.do(*TASKS)]
+
+
+@pytest.fixture(scope="module")
+def alike(job):
+    """The same job without a function of the user, and its rows."""
+    made = replace(job, outputs=job.outputs[: len(ASKED)])
+    return made, plain(made)
+
+
 def test_rows_done_together_are_those_done_alone_and_the_runs_themselves(job):
     together, alone = job.do(*TASKS), [row for task in TASKS for row in job.do(task)]
-    assert [plain(row) for row in together] == [plain(row) for row in alone]
+    assert list(map(timeless, together)) == list(map(timeless, alone))
     outcomes = [row.outcome for row in together]
     assert (outcomes[0], outcomes[1], outcomes[2], outcomes[5]) == ("finished", "bad_input", "finished", "finished")
     assert outcomes[3:5] == ["too_many_steps", "bad_output"]
@@ -56,55 +67,48 @@ def test_rows_done_together_are_those_done_alone_and_the_runs_themselves(job):
         assert tuple(row.outputs[name] for name in ("impacts", "peak_force", "energy_residual")) == result
 
 
-def test_peaks_are_the_same_in_pieces_of_any_size_for_all_rows_at_once(job, monkeypatch):
-    expected = [plain(row) for row in job.do(*TASKS)]
+def test_peaks_are_the_same_in_pieces_of_any_size_for_all_rows_at_once(alike, monkeypatch):
+    many, expected = alike
     monkeypatch.setattr("hertzwerk.runtime.engine.solution.contact_watch.PIECE", 7)
     monkeypatch.setattr("hertzwerk.runtime.engine.solution.contact_watch.TOGETHER", 2)
-    many = replace(job, outputs=job.outputs[: len(ASKED)])
-    actual = [plain(row) for row in many.do(*TASKS)]
-    assert [row.outputs["peak_force"] for row in actual if row.outputs] == [
-        row.outputs["peak_force"] for row in expected if row.outputs
-    ]
+    assert plain(many) == expected
 
 
-def test_peaks_of_all_rows_are_one_call_with_the_numbers_of_each(job, monkeypatch):
-    alike = replace(job, outputs=job.outputs[: len(ASKED)])
-    calls = []
+def test_peaks_of_all_rows_are_one_call_with_the_numbers_of_each(alike, monkeypatch):
+    (job, expected), calls = alike, []
 
     def counted(history, controls, *tables):
         calls.append(len(controls))
         return peaks(history, controls, *tables)
 
     monkeypatch.setattr("hertzwerk.runtime.engine.solution.contact_watch.peaks", counted)
-    expected = [plain(row) for row in alike.do(*TASKS)]
+    assert plain(job) == expected
     assert len(calls) == 1 < calls[0]
 
     def seeded(history, controls, *tables):
         return peaks(history, 0 * controls + controls[0], *tables)  # of the first row for all
 
     monkeypatch.setattr("hertzwerk.runtime.engine.solution.contact_watch.peaks", seeded)
-    assert [plain(row) for row in alike.do(*TASKS)] != expected
+    assert plain(job) != expected
 
 
-def test_long_runs_are_followed_as_they_proceed_and_hold_no_block(job, monkeypatch):
-    alike, find = replace(job, outputs=job.outputs[: len(ASKED)]), Findings.find_impacts
-    expected, waiting = [plain(row) for row in alike.do(*TASKS)], []
+def test_long_runs_are_followed_as_they_proceed_and_hold_no_block(alike, monkeypatch):
+    (job, expected), find, waiting = alike, Findings.find_impacts, []
 
     def seen(runs):
         waiting.append([len(run._watch.waiting) for run in runs])
         find(runs)
 
     monkeypatch.setattr(Findings, "find_impacts", staticmethod(seen))
-    alike.do(*TASKS)
+    job.do(*TASKS)
     monkeypatch.setattr("hertzwerk.runtime.engine.solution.contact_watch.FEW", 100)
-    assert [plain(row) for row in alike.do(*TASKS)] == expected
+    assert plain(job) == expected
     assert all(waiting[0])
     assert not any(waiting[1])
 
 
-def test_rows_that_fail_together_are_computed_one_by_one(job, monkeypatch):
-    alike, find = replace(job, outputs=job.outputs[: len(ASKED)]), Findings.find_impacts
-    expected = [plain(row) for row in alike.do(*TASKS)]
+def test_rows_that_fail_together_are_computed_one_by_one(alike, monkeypatch):
+    (job, expected), find = alike, Findings.find_impacts
 
     def fails(runs):
         if len(runs) > 1:
@@ -113,7 +117,7 @@ def test_rows_that_fail_together_are_computed_one_by_one(job, monkeypatch):
         find(runs)
 
     monkeypatch.setattr(Findings, "find_impacts", staticmethod(fails))
-    assert [plain(row) for row in alike.do(*TASKS)] == expected
+    assert plain(job) == expected
 
 
 @pytest.mark.parametrize("stage", [0, 1, 2])
@@ -126,9 +130,9 @@ def test_an_error_in_any_stage_is_that_of_its_row_alone(job, stage, monkeypatch)
             raise ArithmeticError("seeded")
         return (yield from stages)
 
-    expected = [plain(row) for row in job.do(*TASKS)]
+    expected = plain(job)
     monkeypatch.setattr("hertzwerk.runtime.studies.sweeps.rows.row_job.solving", fails)
-    actual = [plain(row) for row in job.do(*TASKS)]
+    actual = plain(job)
     assert (actual[2].outcome, actual[2].message) == ("failed", "ArithmeticError: seeded")
     assert actual[:2] + actual[3:] == expected[:2] + expected[3:]
 
