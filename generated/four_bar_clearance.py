@@ -17,7 +17,7 @@ NAME = "four_bar_clearance"
 SOURCE = "derive/scenes/four_bar_clearance.py"
 SUMMARY = "four-bar linkage with one clearance joint"
 FORMAT = "hertzwerk module 1"
-DIGEST = "a899f9aad4b10c4d6e0b57f89c687098"
+DIGEST = "7d5704877139d1a19e05b0fd2b1791d0"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
@@ -26,7 +26,7 @@ EFFECTS = (
 )
 
 ADVICE = (
-    "rocker_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; `hertzwerk laws --form line` lists others",
+    "rocker_pin: take a law of line contact (`hertzwerk laws --form line`). At rocker_pin a pin in bush touches along a line, and hertz_point is a law of point contact",
 )
 
 PARAMETERS = (

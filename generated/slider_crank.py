@@ -17,7 +17,7 @@ NAME = "slider_crank"
 SOURCE = "derive/scenes/slider_crank.py"
 SUMMARY = "slider-crank, clearance between rod and slider"
 FORMAT = "hertzwerk module 1"
-DIGEST = "662c1bd279fca4ff10b710f8c2b9c402"
+DIGEST = "3faafb9e575cf2728d904f2abd4baf7e"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
@@ -26,7 +26,7 @@ EFFECTS = (
 )
 
 ADVICE = (
-    "slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; `hertzwerk laws --form line` lists others",
+    "slider_pin: take a law of line contact (`hertzwerk laws --form line`). At slider_pin a pin in bush touches along a line, and hertz_point is a law of point contact",
 )
 
 PARAMETERS = (

@@ -19,7 +19,7 @@ NAME = "slider_crank_dc_motor"
 SOURCE = "derive/scenes/slider_crank_dc_motor.py"
 SUMMARY = "slider-crank, two clearances, controlled DC motor"
 FORMAT = "hertzwerk module 1"
-DIGEST = "d04f0ca6b5da4c4c215786b25e59c8eb"
+DIGEST = "2698edb94f30e1400c3b2f887dc5fada"
 
 EFFECTS = (
     ("motor", "motor", "direct-current motor on main_bearing at the voltage crank_speed*motor_constant + speed_control.command"),
@@ -31,7 +31,7 @@ EFFECTS = (
 )
 
 ADVICE = (
-    "crank_pin, slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; `hertzwerk laws --form line` lists others",
+    "crank_pin and 1 more: take a law of line contact (`hertzwerk laws --form line`). At crank_pin, slider_pin a pin in bush touches along a line, and hertz_point is a law of point contact",
 )
 
 PARAMETERS = (

@@ -16,7 +16,7 @@ NAME = "slider_crank_frictionless"
 SOURCE = "derive/scenes/slider_crank_frictionless.py"
 SUMMARY = "slider-crank, one clearance, without friction"
 FORMAT = "hertzwerk module 1"
-DIGEST = "1bc4dfb0ecf44ecb973108c7343a3a45"
+DIGEST = "81ff0dd433b27aa353766c8fe08787c9"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
@@ -25,7 +25,7 @@ EFFECTS = (
 )
 
 ADVICE = (
-    "slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; `hertzwerk laws --form line` lists others",
+    "slider_pin: take a law of line contact (`hertzwerk laws --form line`). At slider_pin a pin in bush touches along a line, and hertz_point is a law of point contact",
 )
 
 PARAMETERS = (

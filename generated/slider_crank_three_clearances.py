@@ -19,7 +19,7 @@ NAME = "slider_crank_three_clearances"
 SOURCE = "derive/scenes/slider_crank_three_clearances.py"
 SUMMARY = "slider-crank with clearance at all three pins"
 FORMAT = "hertzwerk module 1"
-DIGEST = "4a8c4f4e840b39f83e52aac189dda53a"
+DIGEST = "e568d80c27627e6d7150938da36371ac"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of crank_plane.angle"), ("gravity", "gravity", "uniform gravity"),
@@ -30,7 +30,7 @@ EFFECTS = (
 )
 
 ADVICE = (
-    "main_bearing, crank_pin, slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; `hertzwerk laws --form line` lists others",
+    "main_bearing and 2 more: take a law of line contact (`hertzwerk laws --form line`). At main_bearing, crank_pin, slider_pin a pin in bush touches along a line, and hertz_point is a law of point contact",
 )
 
 PARAMETERS = (

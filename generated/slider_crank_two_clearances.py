@@ -18,7 +18,7 @@ NAME = "slider_crank_two_clearances"
 SOURCE = "derive/scenes/slider_crank_two_clearances.py"
 SUMMARY = "slider-crank with clearance at both rod pins"
 FORMAT = "hertzwerk module 1"
-DIGEST = "dd68fbf54500afbfc251b7c46fb2cf38"
+DIGEST = "048d517eb56bf01b74a3f0f04b4754b0"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
@@ -28,7 +28,7 @@ EFFECTS = (
 )
 
 ADVICE = (
-    "crank_pin, slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; `hertzwerk laws --form line` lists others",
+    "crank_pin and 1 more: take a law of line contact (`hertzwerk laws --form line`). At crank_pin, slider_pin a pin in bush touches along a line, and hertz_point is a law of point contact",
 )
 
 PARAMETERS = (

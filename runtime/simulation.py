@@ -200,7 +200,7 @@ def _with_derivatives(run: Solution, names: Sequence[str]) -> Solution:
     try:
         engine = replace(run.engine, derivatives=run.sensitivities(*names))
     except InputError as error:
-        reason = "; ".join(f"no derivatives: {fault.found}; {fault.remedy}" for fault in error.faults)
+        reason = "; ".join(f"no derivatives: {fault.found}. {fault.remedy}" for fault in error.faults)
         engine = run.engine.with_warning(reason)
     return replace(run, engine=engine)
 
@@ -335,11 +335,9 @@ class Solution(plain_solution.EngineSolution):
         build_s = time.perf_counter() - began
         rest = None if times is None else times[times >= run.begin]
         trace = run.trace(self.settings.tolerance, self.engine.scales, rest, progress=progress)
-        before = "" if self.error is None else f"; that of the run before was {self.error} at its end"
-        note = (
-            f"continues from t = {run.begin:.9g} s at the tolerance {self.settings.tolerance:.2g} of the run before, "
-            f"without an error estimate{before}"
-        )
+        before = "" if self.error is None else f". That of the run before was {self.error} at its end"
+        at = f"t = {run.begin:.9g} s at the tolerance {self.settings.tolerance:.2g}"
+        note = f"continues from {at} of the run before, without an error estimate{before}"
         part = _solution_of(run, trace, self.engine.scales, build_s)
         return replace(part, engine=part.engine.with_warning(note))
 

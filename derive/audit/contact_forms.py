@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.grouping import grouped
+from hertzwerk.derive.common.grouping import grouped, some
 from hertzwerk.derive.declare.mechanism.pair import Pair
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import FORMS, Law
@@ -44,7 +44,7 @@ def fitting_laws(kind: str, pair: Pair, offered: Mapping[str, Any]) -> Iterator[
 
 
 def advice(scene: Scene) -> tuple[str, ...]:
-    """One sentence for each law used at pairs of another form of contact than its own."""
+    """One finding for each law used at pairs of another form of contact than its own."""
     places = grouped(
         ((law.name, pair.kind, "L" in scene.geometry(pair.name)), effect)
         for effect, law, pair in _laws_at_pairs(scene)
@@ -67,8 +67,8 @@ def _sentence(scene: Scene, name: str, kind: str, long: bool, effects: list[str]
     pair = next(pair for pair in scene.mechanism.pairs if pair.name in effect.pairs)
     form, own = form_of(pair), " or ".join(law.forms)
     offered = scene.geometry(pair.name) | ({} if long else {"L": None})
-    condition = "" if long or form != "line" else ", once the pair has a length"
-    listed = f"`hertzwerk laws --form {form}` lists others{condition}"
-    way = listed if any(fitting_laws(law.kind, pair, offered)) else "the catalogue has no other"
+    condition = "" if long or form != "line" else "; others take its length"
+    listed = f"take a law of {form} contact (`hertzwerk laws --form {form}`)"
+    way = listed if any(fitting_laws(law.kind, pair, offered)) else f"the catalogue has no law of {form} contact for it"
     touches = f"a {kind.replace('_', ' ')} touches {_TOUCHES[form]}"
-    return f"{', '.join(effects)}: {touches}, and {name} is a law of {own} contact; {way}"
+    return f"{some(effects)}: {way}. At {', '.join(effects)} {touches}, and {name} is a law of {own} contact{condition}"

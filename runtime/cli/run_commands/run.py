@@ -279,7 +279,11 @@ def _report(solution: Solution) -> None:
     if not outcome.finished:
         line("", outcome.message)
         line("remedy", outcome.remedy)
-    for warning in solution.warnings:
-        line("warning", warning)
-    for text in solution.engine.advice:
-        line("advice", text)
+    findings = [
+        *(("warning", text) for text in solution.warnings),
+        *(("advice", text) for text in solution.engine.advice),
+    ]
+    for label, text in findings:
+        line(label, text.partition(". ")[0])
+    if findings:
+        line("details", "`hertzwerk report` shows all that was found, as do `warnings` and `advice` in run.json")

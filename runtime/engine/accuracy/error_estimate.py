@@ -149,8 +149,8 @@ def beyond_horizon(error: ErrorEstimate) -> str:
     """Explain for what a run longer than its horizon is still valid."""
     grow = "" if error.growth is None else f"; errors grow at {error.growth:.3g}/s"
     return (
-        f"the run is longer than its horizon: the trajectory is valid, with an error below {VALID:.0%} of the scales, until "
-        f"t = {error.horizon:.4g} s{grow}; beyond it only statistics are valid, run.averages()"
+        f"the run is longer than its horizon: use run.averages() beyond t = {error.horizon:.4g} s. Only statistics are valid there; the "
+        f"trajectory has an error below {VALID:.0%} of the scales until then{grow}"
     )
 
 

@@ -96,7 +96,7 @@ def read_parameters(declared: Declared, parameters: Mapping[str, Value]) -> Read
         if kind == "defined":
             faults.append(Fault(name, actual, f"a value in {allowed}", why))
         else:
-            warnings.append(f"{name} = {actual} is outside the recommended {allowed}: {why}")
+            warnings.append(f"{name} = {actual} is outside the recommended {allowed}. {why}")
     for sum_limit in declared.sums:
         terms, *_, quantity = sum_limit
         names = [name for name, _ in terms]

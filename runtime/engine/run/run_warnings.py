@@ -1,4 +1,7 @@
-"""Warnings about a run that do not stop it, but for those found in its steps (`step_warnings`)."""
+"""Warnings about a run that do not stop it, but for those found in its steps (`step_warnings`).
+
+The first sentence of each states the way out, and fits a line of a terminal; others are its details.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from hertzwerk.derive.common.grouping import some
 from hertzwerk.runtime.engine.integration.loop.automatic_compilation import Code
 from hertzwerk.runtime.engine.integration.step.layout import RELEASED
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
@@ -17,11 +21,11 @@ def unchecked(model: EngineModel) -> tuple[str, ...]:
     """Return what a model runs on purpose: inconsistent effects, velocities against its positions."""
     return (
         *(
-            f"{effect} is dimensionally inconsistent and runs unchecked: {why}"
+            f"{effect} is dimensionally inconsistent and runs unchecked. {why}"
             for effect, why in model.module.UNCHECKED
         ),
         *(
-            f"{where} is taken as given, against the model's positions: {was_set}; it would be {follows}"
+            f"{where} is taken as given, against the model's positions. It is {was_set}; it would be {follows}"
             for where, was_set, follows in model.module.CONTRADICTIONS
         ),
     )
@@ -35,7 +39,7 @@ def open_forces(model: EngineModel, bound: BoundParameters, q: np.ndarray) -> It
 
     names = [constraint_force(name) for name in undetermined(model, bound, q)]
     if names:
-        yield f"redundant constraints leave these forces undetermined; those of least norm are reported: {', '.join(names)}"
+        yield f"redundant constraints leave forces undetermined: free a direction of a joint. Those of least norm are reported: {', '.join(names)}"
 
 
 def too_fast(model: EngineModel, limits: np.ndarray, tally: Mapping[str, np.ndarray]) -> Iterator[str]:
@@ -47,8 +51,8 @@ def too_fast(model: EngineModel, limits: np.ndarray, tally: Mapping[str, np.ndar
     pairs, least, over = zip(*(each[:3] for each in limited if each[2]), strict=True)
     *_, begun, fastest = zip(*limited, strict=True)
     yield (
-        f"{sum(over):.0f} of {sum(begun):.0f} impacts of {', '.join(pairs)} exceed the law's limit of "
-        f"{min(least):.3g} m/s (worst {max(fastest):.3g} m/s): surfaces may yield; fit the law to measured impacts"
+        f"{some(pairs)}: impacts are too fast for the law; fit it to measured impacts. Surfaces may yield: {sum(over):.0f} of {sum(begun):.0f} "
+        f"impacts of {', '.join(pairs)} exceed the law's limit of {min(least):.3g} m/s (worst {max(fastest):.3g} m/s)"
     )
 
 
@@ -56,8 +60,8 @@ def released(model: EngineModel, first: History) -> Iterator[str]:
     """Yield a warning of surfaces that overlap at the start while they open, where their law would pull."""
     for pair in (pair for pair, mode in zip(model.pairs, first.part("mode")[0], strict=True) if mode == RELEASED):
         yield (
-            f"{pair} starts {first[f'{pair}.penetration'][0]:.3g} m deep and opening, where its law would pull: no force acts until it closes "
-            "again; start with a gap or at rest"
+            f"{pair} starts {first[f'{pair}.penetration'][0]:.3g} m deep and opening: start with a gap or at rest. Its law would pull, so "
+            "no force acts until it closes again"
         )
 
 
@@ -66,17 +70,20 @@ def floored(count: int, floor: float) -> Iterator[str]:
     if not count:
         return
     contacts = "one contact began" if count == 1 else f"{count} contacts began"
-    yield f"{contacts} slower than approach_floor = {floor:g} m/s, which the damping law used as the approach speed"
+    yield f"{contacts} slower than approach_floor = {floor:g} m/s: lower it if they matter. The damping law used it as their approach speed"
 
 
 def unsettled(count: int) -> Iterator[str]:
     """Yield a warning of instants at which sticking and slipping contacts were not determined."""
     if count:
         instants = "an instant" if count == 1 else f"{count} instants"
-        yield f"at {instants} the search for sticking and slipping contacts did not converge: the run continued with its last state, perhaps wrongly"
+        yield (
+            f"who sticks and who slips was not determined at {instants}: compare another accuracy. The search for sticking and slipping contacts "
+            "did not converge, and the run continued with its last state, perhaps wrongly"
+        )
 
 
 def uncompiled(code: Code | None) -> Iterator[str]:
     """Yield a warning where C would have saved time but the compiler failed."""
     if code is not None and code.compiler_failure:
-        yield f"not compiled; the run is slower, its results are the same: {code.compiler_failure}"
+        yield f"not compiled: the run is slower, its results are the same. {code.compiler_failure}"

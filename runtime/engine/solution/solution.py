@@ -263,7 +263,7 @@ class EngineSolution(Histories):
             parts.append(f"energy closed to {self.energy_residual:.1g}")
         text = f"{self.outcome.name}: {', '.join([*parts, time_text(statistics.wall_s, 3)])}"
         reason = [] if self.outcome.finished else [f"{self.outcome.message}; {self.outcome.remedy}"]
-        return "\n".join([text, *reason, *(f"warning: {warning}" for warning in self.warnings)])
+        return "\n".join([text, *reason, *(f"warning: {warning.partition('. ')[0]}" for warning in self.warnings)])
 
     def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write the whole run as npz, to be read by `Solution.load` or NumPy; raises FileExistsError."""

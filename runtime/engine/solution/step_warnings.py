@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hertzwerk.derive.common.grouping import grouped
+from hertzwerk.derive.common.grouping import grouped, some
 from hertzwerk.derive.common.hertzian_laws import LINE, POINT
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution.contact_watch import Lasting
@@ -42,8 +42,9 @@ def left_law(model: EngineModel, lasting: Sequence[Lasting], ends: History) -> I
     since = worst.since if worst.since > START * ends.t[-1] else 0.0
     count = f"{len(lasting)} contacts" if len(lasting) > 1 else "one contact"
     yield (
-        f"contacts of {', '.join(pairs)} exceed the damping law: gap rates up to {worst.ratio:.2g} times the approach speed v0 "
-        f"since t = {since:.4g} s ({count}{share}); take a law without v0 (`hertzwerk laws`), or raise approach_floor"
+        f"{some(pairs)}: gap rates exceed the damping law; take one without v0. At {', '.join(pairs)} they are up to {worst.ratio:.2g} times "
+        f"the approach speed v0 since t = {since:.4g} s ({count}{share}); `hertzwerk laws` shows which laws refer to it, a larger approach_floor "
+        "is the least that they take for it"
     )
 
 
@@ -64,8 +65,8 @@ def bent_rods(model: EngineModel, history: History) -> Iterator[str]:
         most = max((float(np.max(np.abs(history[name]))) for name in outputs), default=0.0) / length
         if most > STRAIGHT:
             yield (
-                f"rod {rod} bends by {most:.2g} of its length, and its equations, of second order in that, hold up to about {STRAIGHT}; "
-                "take two rods in a row, which share it"
+                f"rod {rod} bends by {most:.2g} of its length: take two rods in a row, which share it. Its equations, of second order in that, "
+                f"hold up to about {STRAIGHT}"
             )
 
 
@@ -91,8 +92,8 @@ def wide_sectors(model: EngineModel, history: History) -> Iterator[str]:
         arc = float(np.sqrt(square) @ weights / weights.sum()) / outer if weights.any() else math.pi
         if arc < math.pi / count:
             yield (
-                f"wear {wear} is spread further than its contact: the arc of contact is {2 * arc:.2g} rad on average, and each of {count} sectors "
-                f"{2 * math.pi / count:.2g} rad wide; take sectors={2 ** round(math.log2(SECTORS / arc))}"
+                f"wear {wear} is spread further than its contact: take sectors={2 ** round(math.log2(SECTORS / arc))}. The arc of contact is "
+                f"{2 * arc:.2g} rad on average, and each of {count} sectors {2 * math.pi / count:.2g} rad wide"
             )
 
 
@@ -108,7 +109,7 @@ def lost_grip(model: EngineModel, history: History) -> Iterator[str]:
         along = [force for of, force in held.items() if of.startswith(f"{name}.friction_force")]
         if normal is None:
             if limited:
-                yield f"{name}: its joints keep the surfaces in contact, so there is no normal force to compare friction with"
+                yield f"{name}: friction is not compared with a normal force. Its joints keep the surfaces in contact, so there is none"
             continue
         worst = int(np.argmin(normal))
         if normal[worst] < 0:
@@ -177,7 +178,7 @@ WORDS = {
     "conformity": Words(f"exceed the depth at which they enclose {WIDE} rad to each side", "m",
                         "surfaces conform; take `persson`, or `power` fitted to finite elements", "conform", "take `persson`"),
     "waves": Words(f"end before a wave has crossed the body {CROSSINGS} times", "s", "waves keep energy; fit the restitution to measured impacts",
-                   "are short for waves", "fit the restitution to measured impacts", "no density"),
+                   "are short for waves", "measure the restitution", "no density"),
 }  # fmt: skip
 
 
@@ -260,10 +261,10 @@ def beyond_theory(checks: Sequence[Validity]) -> Iterator[str]:
     """Yield one warning of all checks that contacts exceed."""
     exceeded = [check for check in checks if check.exceeded]
     if exceeded:
-        pairs = ", ".join(dict.fromkeys(pair for check in exceeded for pair in check.contacts))
-        counts = ", ".join(
-            f"{check.exceeded} of {check.of} {WORDS[check.check].brief} (worst {check.worst:.2g} times)"
+        pairs = list(dict.fromkeys(pair for check in exceeded for pair in check.contacts))
+        worst = WORDS[max(exceeded, key=lambda check: check.worst).check]
+        counts = "; ".join(
+            f"{check.exceeded} of {check.of} {WORDS[check.check].brief} (worst {check.worst:.2g} times): {WORDS[check.check].advice}"
             for check in exceeded
         )
-        remedies = ", ".join(dict.fromkeys(WORDS[check.check].advice for check in exceeded))
-        yield f"contacts of {pairs} exceed Hertz's theory: {counts}; {remedies}"
+        yield f"{some(pairs)}: contacts exceed Hertz's theory; {worst.advice}. Of contacts of {', '.join(pairs)} {counts}"

@@ -40,7 +40,7 @@ def overlaps(
         way_out = separating_change(model, bound, initial, overlap.pair)
         if not overlap.too_deep:
             warnings.append(
-                f"{overlap.pair} starts {overlap.depth:.3g} m deep: stiffness alone would throw that apart at "
+                f"{overlap.pair} starts in overlap: start with a gap. Stiffness alone would throw its {overlap.depth:.3g} m apart at "
                 f"{overlap.speed:.3g} m/s, faster than the scene is{held}; {way_out}"
             )
             continue

@@ -37,7 +37,7 @@ def caption(figure: Figure, run: EngineSolution, subtitle: str, notes: Sequence[
     width, height = figure.get_size_inches()
     used = write_title(figure, title_of(run.engine.model, subtitle), differences(run))
     remarks = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
-    remarks += [*(warning.partition("; ")[0] for warning in run.warnings), *notes]  # unchecked laws among them
+    remarks += [*(warning.partition(". ")[0] for warning in run.warnings), *notes]  # unchecked laws among them
     rows = [line for note in remarks for line in textwrap.wrap(note, int(12 * width))]
     if rows:
         look: Any = {"ha": "left", "va": "bottom", "fontsize": NOTE, "color": VERMILLION}
