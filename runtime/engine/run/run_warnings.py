@@ -21,7 +21,7 @@ def unchecked(model: EngineModel) -> tuple[str, ...]:
     """Return what a model runs on purpose: inconsistent effects, velocities against its positions."""
     return (
         *(
-            f"{effect} is dimensionally inconsistent and runs unchecked. {why}"
+            f"{effect} is dimensionally inconsistent and runs UNCHECKED. {why}"
             for effect, why in model.module.UNCHECKED
         ),
         *(
