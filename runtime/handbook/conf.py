@@ -1,5 +1,7 @@
 """Settings of Sphinx for the handbook; `hertzwerk handbook --build DIR` builds it."""
 
+from pathlib import Path
+
 from hertzwerk.version import __version__
 
 project = "hertzwerk"
@@ -18,6 +20,7 @@ linkcheck_ignore = [r"https://doi\.org/"]  # leads to publishers, who refuse pro
 html_theme = "pydata_sphinx_theme"
 html_static_path = ["_static"]
 html_css_files = ["handbook.css"]
+html_search_scorer = str(Path(__file__).parent / "_static" / "search_scorer.js")
 html_math_renderer = "mathml"
 html_title = "hertzwerk"
 html_copy_source = False

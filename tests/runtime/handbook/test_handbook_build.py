@@ -24,6 +24,11 @@ def test_sphinx_has_no_warnings(built):
 
 
 @pytest.mark.slow
+def test_search_prefers_titles_with_the_words_of_the_query(built):
+    assert "8 * found.length" in (built[0] / "_static" / "language_data.js").read_text(encoding="utf-8")
+
+
+@pytest.mark.slow
 def test_pages_request_nothing_from_a_network(built):
     """Links that a reader follows aside."""
     pages = list(built[0].rglob("*.html"))
