@@ -7,38 +7,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import sympy as sp
+import worn
 from each import each
 from scipy.optimize import brentq
-from worn import (
-    ACCELERATION,
-    BUSH,
-    CHECKS,
-    CLEARANCE,
-    DOWN,
-    LAW,
-    LENGTH,
-    PIN,
-    RATE,
-    SCALES,
-    SCENES,
-    SHAFT,
-    SPIN,
-    STIFFNESS,
-    TRACK,
-    A,
-    G,
-    K,
-    M,
-    V,
-    corner,
-    journal,
-    kernel,
-    p,
-    sliding,
-    sphere,
-    survivors,
-    track,
-)
 
 import hertzwerk.derive as hd
 from hertzwerk.derive.equations.contact import worn_surfaces
@@ -48,35 +19,35 @@ from hertzwerk.runtime import equilibrium, load, modes, simulate
 from hertzwerk.runtime.engine.solution.step_warnings import SECTORS
 
 
-@each("name", CHECKS)
+@each("name", worn.CHECKS)
 def test_the_equations_of_wear_are_what_is_known_of_them(name):
-    CHECKS[name](hd.generate(SCENES[name]()))
+    worn.CHECKS[name](hd.generate(worn.SCENES[name]()))
 
 
 @pytest.mark.exhaustive
 def test_each_number_of_wear_changed_by_one_percent_is_noticed():
-    assert not list(survivors())
+    assert not list(worn.survivors())
 
 
 @pytest.mark.parametrize(("coordinates", "method"), [("tree", "dop853"), ("absolute", "esdirk")])
 def test_a_block_loses_a_depth_in_proportion_to_its_way(coordinates, method):
     """Depth k F s/(H A), of a force that is the weight less what the block takes up as it sinks."""
-    model = load(sliding(*corner(area=p("area", "mm^2", 4)), coordinates=coordinates))
+    model = load(worn.sliding(*worn.corner(area=worn.p("area", "mm^2", 4)), coordinates=coordinates))
     run = simulate(model, duration=2.0, tolerance=1e-9, method=method)
-    pressed = M * (G * 2.0 + run["down.speed" if coordinates == "tree" else "block.y_speed"][-1])
-    assert pressed == pytest.approx(M * G * 2.0, rel=1e-5)
-    assert run["wear.depth"][-1] == pytest.approx(1e4 * K * pressed * V / A, rel=1e-9)
-    assert run["wear.volume"] == pytest.approx(1e4 * K * run["wear.load_path"], rel=1e-12)
+    pressed = worn.M * (worn.G * 2.0 + run["down.speed" if coordinates == "tree" else "block.y_speed"][-1])
+    assert pressed == pytest.approx(worn.M * worn.G * 2.0, rel=1e-5)
+    assert run["wear.depth"][-1] == pytest.approx(1e4 * worn.K * pressed * worn.V / worn.A, rel=1e-9)
+    assert run["wear.volume"] == pytest.approx(1e4 * worn.K * run["wear.load_path"], rel=1e-12)
     lost = run["wear.dissipated"][-1] + run["floor.dissipated"][-1]
-    assert lost == pytest.approx(M * G * run["wear.depth"][-1], rel=1e-5)
+    assert lost == pytest.approx(worn.M * worn.G * run["wear.depth"][-1], rel=1e-5)
     assert run.energy_residual < 1e-8
 
 
 def test_a_sphere_wears_flat():
     """A flat 2 pi R h and Hertz's spot pi R d: pi R (h^2 + d h) = k F s/H."""
     slowly = {"duration": 200.0, "parameters": {"repetitions": (1, "1")}}
-    run = simulate(load(sliding(*sphere())), tolerance=1e-9, method="esdirk", **slowly)
-    d, lost = M * G / 1e6, K * M * G * V * 200
+    run = simulate(load(worn.sliding(*worn.sphere())), tolerance=1e-9, method="esdirk", **slowly)
+    d, lost = worn.M * worn.G / 1e6, worn.K * worn.M * worn.G * worn.V * 200
     depth = (np.sqrt(d**2 + 4 * lost / (np.pi * 0.01)) - d) / 2
     assert run["wear.depth"][-1] == pytest.approx(depth, rel=1e-5)
     assert run["wear.volume"][-1] == pytest.approx(lost, rel=1e-5)
@@ -85,10 +56,10 @@ def test_a_sphere_wears_flat():
 
 def test_a_sphere_wears_a_groove():
     """Ten times along a track: R (2 h + d) is a square of the half-width, which integrates to (2 h + d)^1.5 - d^1.5 = 3 k F s/(2 H L sqrt R)."""
-    model = load(sliding(*track(16), coordinates="absolute"))
+    model = load(worn.sliding(*worn.track(16), coordinates="absolute"))
     run = simulate(model, duration=1.0, tolerance=1e-8, method="esdirk", compiled=False)
-    lost, d = 1e4 * K * M * G * V, M * G / STIFFNESS
-    even = ((1.5 * lost / TRACK / np.sqrt(BUSH) + d**1.5) ** (2 / 3) - d) / 2
+    lost, d = 1e4 * worn.K * worn.M * worn.G * worn.V, worn.M * worn.G / worn.STIFFNESS
+    even = ((1.5 * lost / worn.TRACK / np.sqrt(worn.BUSH) + d**1.5) ** (2 / 3) - d) / 2
     assert depths(run, "track", 16).mean() == pytest.approx(even, rel=3e-3)
     assert depths(run, "track", 16) == pytest.approx(np.full(16, even), rel=0.01)
     assert run["wear.volume"][-1] == pytest.approx(lost, rel=1e-4)
@@ -99,9 +70,11 @@ def test_a_sphere_wears_a_groove():
 
 def test_unworn_spheres_may_begin_where_they_just_touch():
     """With no area yet, and Hertz's force of none: the groove and the flat begin without a division by zero."""
-    hertz = hd.laws.power(p("hertz", "N/m^1.5", 1e9), 1.5)
-    for spot in (track(), sphere()):
-        scene = sliding(*spot[:2], spot[2] + p("sag", "um", M * G)).replace(floor=hd.Contact("floor", hertz))
+    hertz = hd.laws.power(worn.p("hertz", "N/m^1.5", 1e9), 1.5)
+    for spot in (worn.track(), worn.sphere()):
+        scene = worn.sliding(*spot[:2], spot[2] + worn.p("sag", "um", worn.M * worn.G)).replace(
+            floor=hd.Contact("floor", hertz)
+        )
         run = simulate(load(scene), duration=1e-3, tolerance=1e-6, method="dop853", compiled=False)
         assert run.outcome.name == "finished" and run["wear.volume"][-1] > 0
 
@@ -114,12 +87,12 @@ def depths(run, surface, count):
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 def test_a_pin_that_turns_wears_evenly(coordinates):
     """Depth k F s/(H 2 pi R L) all around after a whole turn; the bush, which is too hard to wear, has no depth."""
-    model = load(journal(RATE, None, coordinates=coordinates))
+    model = load(worn.journal(worn.RATE, None, coordinates=coordinates))
     run = simulate(model, duration=1.0, tolerance=1e-9, parameters={"repetitions": (100, "1")})
-    even = 100 * K * 2 * M * G * SPIN * PIN / (2 * np.pi * PIN * LENGTH)
+    even = 100 * worn.K * 2 * worn.M * worn.G * worn.SPIN * worn.PIN / (2 * np.pi * worn.PIN * worn.LENGTH)
     assert depths(run, "pin", 16) == pytest.approx(np.full(16, even), rel=1e-3)
     assert depths(run, "pin", 16).mean() == pytest.approx(even, rel=1e-6)
-    assert run["wear.volume"] == pytest.approx(100 * K * run["wear.load_path"], rel=1e-12)
+    assert run["wear.volume"] == pytest.approx(100 * worn.K * run["wear.load_path"], rel=1e-12)
     assert not any(name.startswith("wear.bush") for name in run)
     assert run.energy_residual < 1e-8
 
@@ -128,11 +101,11 @@ def test_doubled_sectors_leave_a_quarter_of_the_error():
     """A pin under a load that varies with its angle: the first harmonic of its depth, against a quadrature of force over sliding."""
     errors, t = [], np.linspace(0, 1, 801)
     for count in (8, 16):
-        model = load(journal(RATE, None, count, load_ratio=0.5))
+        model = load(worn.journal(worn.RATE, None, count, load_ratio=0.5))
         run = simulate(model, duration=1.0, tolerance=1e-8, parameters={"repetitions": (1, "1")}, method="dop853")
         if count == 8:
-            dose = run.at(t)["bearing.normal_force"] * SPIN * PIN * np.exp(1j * (1.5 * np.pi - SPIN * t))
-            exact = K / (np.pi * PIN * LENGTH) * np.trapezoid(dose, t)
+            dose = run.at(t)["bearing.normal_force"] * worn.SPIN * worn.PIN * np.exp(1j * (1.5 * np.pi - worn.SPIN * t))
+            exact = worn.K / (np.pi * worn.PIN * worn.LENGTH) * np.trapezoid(dose, t)
         found = 2 * np.mean(depths(run, "pin", count) * np.exp(2j * np.pi * np.arange(count) / count))
         errors.append(abs(found / exact - 1))
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.1)
@@ -141,19 +114,19 @@ def test_doubled_sectors_leave_a_quarter_of_the_error():
 
 def test_sectors_wider_than_the_contact_are_reported():
     """By its half-width in the approach of a pin to the axis of its bush, Johnson (1985), section 5.6; not where they are narrower."""
-    model, found = load(journal(None, RATE)), []
-    for weight in (2 * M * G, 0.04):
+    model, found = load(worn.journal(None, worn.RATE)), []
+    for weight in (2 * worn.M * worn.G, 0.04):
         light = {
-            "g": (weight / (2 * M), "m/s^2"), "low": (-CLEARANCE - weight / STIFFNESS, "m"), "repetitions": (1, "1"),
+            "g": (weight / (2 * worn.M), "m/s^2"), "low": (-worn.CLEARANCE - weight / worn.STIFFNESS, "m"), "repetitions": (1, "1"),
         }  # fmt: skip
         options = {"duration": 0.05, "tolerance": 1e-6, "method": "dop853", "compiled": False}
         found.append(simulate(model, parameters=light, **options).warnings)
-    product = BUSH * PIN
+    product = worn.BUSH * worn.PIN
 
     def approach(a):
-        return a**2 * CLEARANCE / (4 * product) * (np.log(16 * product / a**2) - 1)
+        return a**2 * worn.CLEARANCE / (4 * product) * (np.log(16 * product / a**2) - 1)
 
-    arc = 2 * brentq(lambda a: approach(a) - 0.04 / STIFFNESS, 1e-6, 5e-3) / BUSH
+    arc = 2 * brentq(lambda a: approach(a) - 0.04 / worn.STIFFNESS, 1e-6, 5e-3) / worn.BUSH
     none, (warning,) = found
     assert f"{arc:.2g} rad on average, and each of 16 sectors 0.39 rad" in warning
     assert f"sectors={2 ** round(np.log2(10 / arc))}. " in warning
@@ -166,7 +139,7 @@ def test_the_number_of_sectors_that_a_run_advises_is_the_best(rule):
     angles, worst = np.linspace(-np.pi, np.pi, 1024, endpoint=False), 1.0
     for arc in (0.1, 0.14, 0.2, 0.3):
         hertz = np.sqrt(np.clip(1 - (angles / arc) ** 2, 0, None)) * 2 / (np.pi * arc)
-        lines = {n: kernel(n, angles) @ kernel(n, 0.0)[0] * n / (2 * np.pi) for n in (8, 16, 32, 64, 128)}
+        lines = {n: worn.kernel(n, angles) @ worn.kernel(n, 0.0)[0] * n / (2 * np.pi) for n in (8, 16, 32, 64, 128)}
         errors = {n: np.abs(line - hertz).max() for n, line in lines.items()}
         worst = max(worst, errors[2 ** round(np.log2(rule / arc))] / min(errors.values()))
     assert (worst < 1.1) == (rule == SECTORS)
@@ -174,15 +147,15 @@ def test_the_number_of_sectors_that_a_run_advises_is_the_best(rule):
 
 def test_halved_acceleration_leaves_half_of_the_error():
     """Pin and bush after the wear of ten thousand turns, in one turn, in two, and in four."""
-    model, worn = load(journal(RATE, RATE)), []
+    model, hollow = load(worn.journal(worn.RATE, worn.RATE)), []
     for turns in (1, 2, 4):
         accelerated = {"repetitions": (1e4 / turns, "1")}
         options = {"tolerance": 1e-9, "method": "dop853", "compiled": False}
         run = simulate(model, duration=float(turns), parameters=accelerated, **options)
-        worn.append(np.concatenate([depths(run, "pin", 16), depths(run, "bush", 16)]))
-    first, second = (np.abs(b - a).max() for a, b in pairwise(worn))
+        hollow.append(np.concatenate([depths(run, "pin", 16), depths(run, "bush", 16)]))
+    first, second = (np.abs(b - a).max() for a, b in pairwise(hollow))
     assert first / second == pytest.approx(2, rel=0.02)
-    assert first < 2e-3 * worn[-1].max()
+    assert first < 2e-3 * hollow[-1].max()
 
 
 @cache
@@ -191,7 +164,7 @@ def crank_model():
 
 
 def worn_crank():
-    wear = hd.Wear("wear", "slider_pin", RATE, RATE, sectors=16, acceleration=ACCELERATION)
+    wear = hd.Wear("wear", "slider_pin", worn.RATE, worn.RATE, sectors=16, acceleration=worn.ACCELERATION)
     return replace(crank, effects=(*crank.effects[:-1], wear, crank.effects[-1]), name="worn_crank")
 
 
@@ -201,13 +174,13 @@ def lost_by_quadrature(run):
     begin, h = run.t[:-1], np.diff(run.t)
     history = run.at((begin[:, None] + h[:, None] * (x + 1) / 2).ravel())
     power = np.abs(history["slider_pin.normal_force"] * history["slider_pin.sliding_velocity"]).reshape(len(h), 8)
-    return 2 * 1e4 * K * (power @ weights * h / 2).sum()
+    return 2 * 1e4 * worn.K * (power @ weights * h / 2).sum()
 
 
 def check_impacts(model=None, duration="3 ms"):
     """Volume and energy in a run with impacts."""
     run = simulate(model or load(worn_crank()), duration=duration, tolerance=1e-8, method="dop853", compiled=False)
-    assert run["wear.volume"] == pytest.approx(2 * 1e4 * K * run["wear.load_path"], rel=1e-11)
+    assert run["wear.volume"] == pytest.approx(2 * 1e4 * worn.K * run["wear.load_path"], rel=1e-11)
     assert run["wear.volume"][-1] == pytest.approx(lost_by_quadrature(run), rel=1e-6)
     assert run.energy_residual < 1e-7
     return run
@@ -235,14 +208,16 @@ def test_derivatives_pass_through_wear():
 
 def test_rest_and_vibrations_in_a_worn_bush():
     """A pin at rest sinks by the depth below it, and swings in the hollow's curvature; depths are given, not solved for."""
-    still, worn = {"spin": (1e-9, "rad/s")}, 1e-6
-    at_rest = equilibrium(load(journal(None, RATE)), parameters=still, initial={"wear.bush_13": (worn, "m")})
-    less, shares, more = kernel(16, 1.5 * np.pi + np.array([-1e-4, 0, 1e-4]))[:, 12]
-    radius = CLEARANCE + 2 * M * G / STIFFNESS + worn * shares
+    still, hollow = {"spin": (1e-9, "rad/s")}, 1e-6
+    at_rest = equilibrium(
+        load(worn.journal(None, worn.RATE)), parameters=still, initial={"wear.bush_13": (hollow, "m")}
+    )
+    less, shares, more = worn.kernel(16, 1.5 * np.pi + np.array([-1e-4, 0, 1e-4]))[:, 12]
+    radius = worn.CLEARANCE + 2 * worn.M * worn.G / worn.STIFFNESS + hollow * shares
     assert at_rest["down.travel"][0] == pytest.approx(-radius, rel=1e-9)
-    assert at_rest["wear.bush_13"][0] == pytest.approx(worn, rel=1e-12)
-    curvature = 1 / radius - worn * (less - 2 * shares + more) / 1e-4**2 / radius**2
-    swing, bounce = np.sqrt(2 * M * G * curvature / (2 * M + 1)), np.sqrt(STIFFNESS / (2 * M))
+    assert at_rest["wear.bush_13"][0] == pytest.approx(hollow, rel=1e-12)
+    curvature = 1 / radius - hollow * (less - 2 * shares + more) / 1e-4**2 / radius**2
+    swing, bounce = np.sqrt(2 * worn.M * worn.G * curvature / (2 * worn.M + 1)), np.sqrt(worn.STIFFNESS / (2 * worn.M))
     assert [2 * np.pi * mode.natural_frequency for mode in modes(at_rest)] == pytest.approx([swing, bounce], rel=1e-6)
 
 
@@ -300,23 +275,25 @@ def test_a_fault_in_the_wear_is_seen(monkeypatch, fault):
 
 def test_wear_that_fits_no_pair_is_refused():
     """All faults at once: a pair that cannot wear, numbers that are missing or too much, sectors, a film in the gap."""
-    (floor, wear), groove = corner(area=p("area", "mm^2", 4)), track()
+    (floor, wear), groove = worn.corner(area=worn.p("area", "mm^2", 4)), worn.track()
     for text, scene in {
-        "no specific wear rate": lambda: sliding(floor, replace(wear, first=None)),
-        "an area for a corner": lambda: sliding(floor, replace(wear, area=None)),
-        "along its `track`": lambda: sliding(floor, replace(wear, second=RATE)),
-        "belong together": lambda: sliding(groove[0], replace(groove[1], along=None)),
-        "inclined to the plane": lambda: sliding(groove[0], replace(groove[1], along=hd.Direction((1, 1, 0)))),
-        "leave the track to its side": lambda: hd.generate(sliding(groove[0], replace(groove[1], along=hd.Z))),
-        "a power of 2": lambda: journal(RATE, RATE, sectors=12),
-        "a quantity in 1/Pa": lambda: hd.generate(sliding(floor, replace(wear, first=p("hardness", "Pa", 1e9)))),
+        "no specific wear rate": lambda: worn.sliding(floor, replace(wear, first=None)),
+        "an area for a corner": lambda: worn.sliding(floor, replace(wear, area=None)),
+        "along its `track`": lambda: worn.sliding(floor, replace(wear, second=worn.RATE)),
+        "belong together": lambda: worn.sliding(groove[0], replace(groove[1], along=None)),
+        "inclined to the plane": lambda: worn.sliding(groove[0], replace(groove[1], along=hd.Direction((1, 1, 0)))),
+        "leave the track to its side": lambda: hd.generate(worn.sliding(groove[0], replace(groove[1], along=hd.Z))),
+        "a power of 2": lambda: worn.journal(worn.RATE, worn.RATE, sectors=12),
+        "a quantity in 1/Pa": lambda: hd.generate(
+            worn.sliding(floor, replace(wear, first=worn.p("hardness", "Pa", 1e9)))
+        ),
     }.items():
         with pytest.raises(hd.InputError, match=text):
             scene()
     rolling = hd.Scene(
-        hd.Mechanism("rolls", (hd.Planar("way", hd.GROUND, SHAFT, normal=hd.Z),),
-                     pairs=(replace(sphere()[0], sphere=SHAFT.at(0, 0, 0)),)),
-        (DOWN, hd.Contact("floor", *LAW), sphere()[1]), SCALES,
+        hd.Mechanism("rolls", (hd.Planar("way", hd.GROUND, worn.SHAFT, normal=hd.Z),),
+                     pairs=(replace(worn.sphere()[0], sphere=worn.SHAFT.at(0, 0, 0)),)),
+        (worn.DOWN, hd.Contact("floor", *worn.LAW), worn.sphere()[1]), worn.SCALES,
     )  # fmt: skip
     with pytest.raises(hd.InputError, match="may turn against the plane"):
         hd.generate(rolling)
