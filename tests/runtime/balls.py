@@ -19,10 +19,8 @@ def ball(law, *, share=0.4, turns=True, **coordinates):
     One that does not turn is carried along X, Z and Y: a particle.
     """
     mass, radius, slope = (
-        hd.Parameter("mass", "kg", MASS),
-        hd.Parameter("radius", "m", RADIUS),
-        hd.Parameter("slope", "rad", 0),
-    )
+        hd.Parameter("mass", "kg", MASS), hd.Parameter("radius", "m", RADIUS), hd.Parameter("slope", "rad", 0),
+    )  # fmt: skip
     gravity, stiffness = hd.Parameter("gravity", "m/s^2", GRAVITY), hd.Parameter("stiffness", "N/m", STIFFNESS)
     inertia = (hd.Parameter("share", "1", share) * mass * radius**2,) * 3
     body, *carts = (
@@ -59,10 +57,8 @@ def ball(law, *, share=0.4, turns=True, **coordinates):
 def brake(*effects):
     """A block, guided along Y, that its weight presses on a wheel; no friction."""
     mass, inertia, radius = (
-        hd.Parameter("mass", "kg", 2),
-        hd.Parameter("inertia", "kg m^2", 1e-3),
-        hd.Parameter("radius", "mm", 50),
-    )
+        hd.Parameter("mass", "kg", 2), hd.Parameter("inertia", "kg m^2", 1e-3), hd.Parameter("radius", "mm", 50),
+    )  # fmt: skip
     gravity, stiffness = hd.Parameter("gravity", "m/s^2", GRAVITY), hd.Parameter("stiffness", "N/m", STIFFNESS)
     wheel, block = hd.Body("wheel", mass=mass, inertia=inertia), hd.Body("block", mass=mass, inertia=inertia)
     face = block.at(0, 0, 0)
@@ -72,12 +68,10 @@ def brake(*effects):
         hd.Mechanism("brake", joints, (pair,)),
         (
             hd.Gravity("gravity", gravity, direction=-hd.Y),
-            hd.Contact("rub", power(stiffness, 1), kelvin_voigt(hd.Parameter("restitution", "1", 0.2))),
-            hd.EnergyLedger(),
-            *effects,
+            hd.Contact("rub", power(stiffness, 1), kelvin_voigt(hd.Parameter("restitution", "1", 0.2))), hd.EnergyLedger(), *effects,
         ),
         hd.Scales(length=hd.Parameter("depth", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 1), arm=radius),
         hd.Start(
             position={"guide": radius - mass * gravity / stiffness}, speed={"axle": hd.Parameter("spin", "rad/s", 100)}
         ),
-    )
+    )  # fmt: skip

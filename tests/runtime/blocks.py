@@ -12,10 +12,8 @@ WEIGHT = MASS * GRAVITY  # N; the carriage is guided by the ramp: its weight doe
 def block(*friction, pull=None, turn=None):
     """One block per friction law, each on its own carriage. `pull` drives the first carriage, at that speed [m/s]; `turn` the ramp [rad/s]."""
     mass, radius, angle = (
-        hd.Parameter("mass", "kg", MASS),
-        hd.Parameter("radius", "m", 0.1),
-        hd.Parameter("slope", "rad", 0),
-    )
+        hd.Parameter("mass", "kg", MASS), hd.Parameter("radius", "m", 0.1), hd.Parameter("slope", "rad", 0),
+    )  # fmt: skip
     gravity, stiffness = hd.Parameter("gravity", "m/s^2", GRAVITY), hd.Parameter("stiffness", "N/m", STIFFNESS)
     damping = kelvin_voigt(hd.Parameter("restitution", "1", 0.2))
     inertia = hd.Parameter("inertia", "kg m^2", 1)

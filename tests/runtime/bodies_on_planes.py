@@ -80,14 +80,12 @@ def model(plane: bool, damping: str, exponent: float, friction: str):
             ),
             (
                 hd.Gravity("gravity", p("gravity", "m/s^2", GRAVITY), direction=-up),
-                hd.Contact("floor", hd.laws.power(stiffness, exponent), resistance),
-                hd.Friction("rub", "floor", law),
-                hd.EnergyLedger(),
+                hd.Contact("floor", hd.laws.power(stiffness, exponent), resistance), hd.Friction("rub", "floor", law), hd.EnergyLedger(),
             ),
             hd.Scales(length=p("depth", "m", 1e-4), speed=p("pace", "m/s", 1), arm=radius),
             hd.Start(position={"flight.y" if plane else "flight.z": radius * 2}),
         )
-    )
+    )  # fmt: skip
 
 
 def body_of(i: int, seed: int = SEED) -> Body:
@@ -157,28 +155,10 @@ def _body(random: np.random.Generator, *, plane: bool) -> Body:
     gap = height if height else -((mass * GRAVITY * math.cos(tilt) / stiffness) ** (1 / exponent))
     x = normal * (radius + gap) - _rotated(q, offset)
     return Body(
-        plane=plane,
-        damping=damping,
-        exponent=exponent,
-        mass=mass,
-        inertia=inertia,
-        offset=tuple(map(float, offset)),
-        radius=radius,
-        tilt=tilt,
-        turn=turn,
-        stiffness=stiffness,
-        known=known,
-        mu_k=mu,
-        mu_s=mu_s,
-        duration=uniform(0.2, 0.7),
-        x=tuple(map(float, x)),
-        q=tuple(map(float, q)),
-        angle=angle if plane else 0.0,
-        v=tuple(map(float, v)),
-        w=tuple(map(float, w)),
-        depth=deep,
-        pace=pace,
-    )
+        plane=plane, damping=damping, exponent=exponent, mass=mass, inertia=inertia, offset=tuple(map(float, offset)), radius=radius, tilt=tilt,
+        turn=turn, stiffness=stiffness, known=known, mu_k=mu, mu_s=mu_s, duration=uniform(0.2, 0.7), x=tuple(map(float, x)), q=tuple(map(float, q)),
+        angle=angle if plane else 0.0, v=tuple(map(float, v)), w=tuple(map(float, w)), depth=deep, pace=pace,
+    )  # fmt: skip
 
 
 def _rotated(q: np.ndarray, a: np.ndarray) -> np.ndarray:
@@ -188,16 +168,9 @@ def _rotated(q: np.ndarray, a: np.ndarray) -> np.ndarray:
 def given(body: Body) -> dict[str, dict[str, float]]:
     """Parameters and start of a body, as `simulate` takes them."""
     parameters = {
-        "mass": body.mass,
-        "radius": body.radius,
-        "tilt": body.tilt,
-        "stiffness": body.stiffness,
-        "mu_k": body.mu_k,
-        "mu_s": body.mu_s,
-        "depth": body.depth,
-        "pace": body.pace,
-        **body.known,
-    }
+        "mass": body.mass, "radius": body.radius, "tilt": body.tilt, "stiffness": body.stiffness, "mu_k": body.mu_k, "mu_s": body.mu_s,
+        "depth": body.depth, "pace": body.pace, **body.known,
+    }  # fmt: skip
     axes = "xy" if body.plane else "xyz"
     parameters |= {f"offset_{axis}": value for axis, value in zip(axes, body.offset, strict=False)}
     if body.plane:

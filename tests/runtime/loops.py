@@ -33,21 +33,16 @@ def cranks() -> hd.Scene:
     one, two, three = (hd.Body(name, m, J, centre=(length / 2, 0, 0)) for name in ("one", "two", "three"))
     coupler = hd.Body("coupler", m, J, centre=(base / 2, 0, 0))
     joints = (
-        hd.Revolute("first", hd.GROUND, one, axis=hd.Z),
-        hd.Revolute("left", one.at(length, 0, 0), coupler, axis=hd.Z),
-        hd.Revolute("second", hd.GROUND.at(base, 0, 0), two, axis=hd.Z),
-        hd.Revolute("third", hd.GROUND.at(base / 2, 0, 0), three, axis=hd.Z),
+        hd.Revolute("first", hd.GROUND, one, axis=hd.Z), hd.Revolute("left", one.at(length, 0, 0), coupler, axis=hd.Z),
+        hd.Revolute("second", hd.GROUND.at(base, 0, 0), two, axis=hd.Z), hd.Revolute("third", hd.GROUND.at(base / 2, 0, 0), three, axis=hd.Z),
         hd.Revolute("right", coupler.at(base, 0, 0), two.at(length, 0, 0), axis=hd.Z),
         hd.Revolute("middle", coupler.at(base / 2, 0, 0), three.at(length, 0, 0), axis=hd.Z),
-    )
+    )  # fmt: skip
     effects = (hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), direction=-hd.Y), hd.EnergyLedger())
     start = hd.Start(position={"first": hd.Parameter("lift", "rad", 0.4)})
     return hd.Scene(
-        hd.Mechanism("cranks", joints=joints),
-        effects,
-        hd.Scales(length, hd.Parameter("pace", "m/s", 1.0), length),
-        start,
-    )
+        hd.Mechanism("cranks", joints=joints), effects, hd.Scales(length, hd.Parameter("pace", "m/s", 1.0), length), start,
+    )  # fmt: skip
 
 
 def rad(value: float) -> hd.Parameter:

@@ -23,9 +23,7 @@ def flat_disc(*more, **coordinates):
         ),
         (
             hd.Gravity("gravity", gravity, direction=-hd.Y),
-            hd.Contact("floor", power(stiffness, 1), kelvin_voigt(hd.Parameter("restitution", "1", 0.2))),
-            *more,
-            hd.EnergyLedger(),
+            hd.Contact("floor", power(stiffness, 1), kelvin_voigt(hd.Parameter("restitution", "1", 0.2))), *more, hd.EnergyLedger(),
         ),
         hd.Scales(length=hd.Parameter("depth", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 1), arm=rim),
         hd.Start(
@@ -33,7 +31,7 @@ def flat_disc(*more, **coordinates):
             speed={"floor_plane.x": p("slide", "m/s", 1), "floor_plane.angle": p("spin", "rad/s", 10)},
         ),
         **coordinates,
-    )
+    )  # fmt: skip
 
 
 def shares(ratio):

@@ -58,11 +58,9 @@ def cranks(count: int = COUNT, seed: int = SEED) -> Iterator[Crank]:
         damping = "hunt_crossley" if restitution == 0 or random.random() < 0.5 else "flores"  # flores has none at 0
         friction = "coulomb" if random.random() < 0.3 else "smooth_coulomb"
         parameters = {
-            "clearance": f"{spread(1e-3, 5)!r} mm",
-            "stiffness": f"{spread(1e5, 1e12)!r} N/m^1.5",
-            "restitution": restitution,
+            "clearance": f"{spread(1e-3, 5)!r} mm", "stiffness": f"{spread(1e5, 1e12)!r} N/m^1.5", "restitution": restitution,
             "friction_coefficient": float(random.uniform(0, 1)),
-        }
+        }  # fmt: skip
         if friction == "smooth_coulomb":
             parameters["friction_speed"] = f"{spread(1e-4, 1)!r} m/s"
         asked = {"tolerance": spread(1e-9, 1e-5)} if random.random() < 0.5 else {"accuracy": 1e-6}

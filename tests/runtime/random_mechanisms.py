@@ -235,11 +235,9 @@ def loop(dice: Dice, name: str, draws: int) -> Drawn:
         for i, length in enumerate((a, b, c))
     ]
     joints = (
-        hd.Revolute("main", hd.GROUND, bodies[0], hd.Z),
-        hd.Revolute("left", bodies[0].at(a, 0, 0), bodies[1], hd.Z),
-        hd.Revolute("foot", hd.GROUND.at(d, 0, 0), bodies[2], hd.Z),
-        hd.Revolute("right", bodies[1].at(b, 0, 0), bodies[2].at(c, 0, 0), hd.Z),
-    )
+        hd.Revolute("main", hd.GROUND, bodies[0], hd.Z), hd.Revolute("left", bodies[0].at(a, 0, 0), bodies[1], hd.Z),
+        hd.Revolute("foot", hd.GROUND.at(d, 0, 0), bodies[2], hd.Z), hd.Revolute("right", bodies[1].at(b, 0, 0), bodies[2].at(c, 0, 0), hd.Z),
+    )  # fmt: skip
     effects: list[Any] = [hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), -hd.Y), hd.EnergyLedger()]
     if driven:
         effects.append(hd.ConstantSpeed("drive", "main", p("w", "rad/s", 1, 30)))

@@ -36,10 +36,8 @@ TARGETS = {"name": "bouncing_ball", "path": FILE, "file": str(FILE), "scene": sc
 DROP = Measurement([0.0, 0.1, 0.2], {"vertical.travel": [1.0, 0.95, 0.8]}, {"vertical.travel": "m"})
 SHORT = {"duration": "10 ms", "tolerance": 1e-6}
 WAVE = Measurement(
-    [0.002 * k for k in range(30)],
-    {"vertical.travel": [1.1 - 4.905 * (0.002 * k) ** 2 for k in range(30)]},
-    {"vertical.travel": "m"},
-)
+    [0.002 * k for k in range(30)], {"vertical.travel": [1.1 - 4.905 * (0.002 * k) ** 2 for k in range(30)]}, {"vertical.travel": "m"},
+)  # fmt: skip
 CALLS: dict[str, Callable[..., Any]] = {
     "simulate": lambda target, **more: simulate(target, **SHORT, **more),
     "simulate_many": lambda target, **more: simulate_many(target, [{}], **SHORT, workers=1, **more),

@@ -91,13 +91,11 @@ def test_a_generated_module_runs_bit_by_bit_as_its_scene(project):
 @pytest.mark.parametrize(
     ("target", "name", "source"),
     [
-        ("balls.py:heavy", "heavy_ball", "balls.py:heavy"),
-        (Path("balls.py:light"), "light_ball", "balls.py:light"),
-        ("light_ball.py", "light_ball", "balls.py:light"),
-        ("plant.scenes:heavy", "heavy_ball", "plant.scenes:heavy"),
+        ("balls.py:heavy", "heavy_ball", "balls.py:heavy"), (Path("balls.py:light"), "light_ball", "balls.py:light"),
+        ("light_ball.py", "light_ball", "balls.py:light"), ("plant.scenes:heavy", "heavy_ball", "plant.scenes:heavy"),
         ("plant:heavy_ball", "heavy_ball", "plant.scenes:heavy"),
     ],
-)
+)  # fmt: skip
 def test_a_scene_or_module_is_found_by_its_name(project, target, name, source):
     model = load(target)
     assert (model.name, model.engine.module.SOURCE) == (name, source)
@@ -124,19 +122,13 @@ def test_a_wrong_name_gets_one_error_with_those_there_are(project, target, found
 @pytest.mark.parametrize(
     "call",
     [
-        lambda file: load(file, without=["gravity"]),
-        lambda file: load(load(file), laws={"floor": "hunt_crossley"}),
-        lambda file: load(file, coordinates="absolute"),
-        lambda file: study_effects(file, **RUN),
-        lambda file: load(file).equations(),
-        lambda file: simulate(load(file), **RUN)["floor.point_x"],
-        lambda file: told("run", file, "--without", "gravity", code=2),
-        lambda file: told("derive", file, "--show", code=2),
-        lambda file: told("derive", file, code=2),
-        lambda file: told("audit", file, code=2),
+        lambda file: load(file, without=["gravity"]), lambda file: load(load(file), laws={"floor": "hunt_crossley"}),
+        lambda file: load(file, coordinates="absolute"), lambda file: study_effects(file, **RUN), lambda file: load(file).equations(),
+        lambda file: simulate(load(file), **RUN)["floor.point_x"], lambda file: told("run", file, "--without", "gravity", code=2),
+        lambda file: told("derive", file, "--show", code=2), lambda file: told("derive", file, code=2), lambda file: told("audit", file, code=2),
         lambda file: told("effects", file, "--duration", "10 ms", code=2),
     ],
-)
+)  # fmt: skip
 def test_functions_that_need_the_scene_name_it(project, call):
     try:
         text = call("my_ball_generated.py")

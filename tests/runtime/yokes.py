@@ -21,18 +21,13 @@ def scotch_yoke():
     wheel = hd.Body("wheel", p("wheel_mass", "kg", 1), p("wheel_inertia", "kg m^2", 1e-4))
     yoke, block = hd.Body("yoke", p("yoke_mass", "kg", YOKE)), hd.Body("block", 0)
     joints = (
-        hd.Revolute("bearing", hd.GROUND, wheel, axis=hd.Z),
-        hd.Revolute("pin", wheel.at(r, 0, 0), block, axis=hd.Z),
-        hd.Prismatic("guide", hd.GROUND, yoke, axis=hd.X),
-        hd.Prismatic("slot", yoke, block, axis=hd.Y),
-        counterweight(wheel, arm),
-    )
+        hd.Revolute("bearing", hd.GROUND, wheel, axis=hd.Z), hd.Revolute("pin", wheel.at(r, 0, 0), block, axis=hd.Z),
+        hd.Prismatic("guide", hd.GROUND, yoke, axis=hd.X), hd.Prismatic("slot", yoke, block, axis=hd.Y), counterweight(wheel, arm),
+    )  # fmt: skip
     return hd.Scene(
-        hd.Mechanism("scotch_yoke", joints),
-        effects=(hd.ConstantSpeed("drive", "bearing", speed=speed),),
-        start=hd.Start(near={"guide": r}),
+        hd.Mechanism("scotch_yoke", joints), effects=(hd.ConstantSpeed("drive", "bearing", speed=speed),), start=hd.Start(near={"guide": r}),
         scales=hd.Scales(length=r, speed=hd.Parameter("pace", "m/s", 5), arm=r),
-    )
+    )  # fmt: skip
 
 
 def balanced_crank():

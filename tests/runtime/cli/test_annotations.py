@@ -74,12 +74,8 @@ def test_files_that_cannot_be_audited_are_annotated_too(project):
 
 
 REQUIRED = {  # what section 3 of SARIF 2.1.0 requires of the objects that are used
-    "log": {"version", "runs"},
-    "run": {"tool", "results"},
-    "driver": {"name"},
-    "rule": {"id"},
-    "result": {"message", "ruleId", "level", "locations"},
-}
+    "log": {"version", "runs"}, "run": {"tool", "results"}, "driver": {"name"}, "rule": {"id"}, "result": {"message", "ruleId", "level", "locations"},
+}  # fmt: skip
 
 
 def test_sarif_has_what_the_standard_requires(project):

@@ -56,13 +56,8 @@ def process(*arguments, **environment):
         *arguments,
     ]  # fmt: skip
     return subprocess.run(
-        command,
-        capture_output=True,
-        text=True,
-        timeout=120,
-        stdin=subprocess.DEVNULL,
-        env={**os.environ, **environment},
-    )
+        command, capture_output=True, text=True, timeout=120, stdin=subprocess.DEVNULL, env={**os.environ, **environment},
+    )  # fmt: skip
 
 
 # ---- list, audit, derive ---------------------------------------------------------------------------------------------
@@ -339,18 +334,13 @@ def test_all_faults_come_at_once_also_where_a_variation_cannot_be_made(hertzwerk
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("x = 1\n1/0\n", ("mine.py, line 2", "ZeroDivisionError")),
-        ("def f():\n    raise ValueError('deep')\nf()\n", ("mine.py, line 2", "deep")),
-        ("x = (\n", ("mine.py, line 1", "SyntaxError")),
-        ("import sys\nsys.exit('no')\n", ("mine.py, line 2", "SystemExit")),
-        ("import nowhere_to_be_found\n", ("mine.py, line 1", "nowhere_to_be_found")),
-        ("x = 1\n", ("mine.py", "scene")),
-        ("scene = 'text'\n", ("mine.py", "str")),
-        ("\x00", ("mine.py",)),
-        (SCENE.replace('"kg", 1)', '"kg", -1)'), ("mine.py, line", "mass")),
+        ("x = 1\n1/0\n", ("mine.py, line 2", "ZeroDivisionError")), ("def f():\n    raise ValueError('deep')\nf()\n", ("mine.py, line 2", "deep")),
+        ("x = (\n", ("mine.py, line 1", "SyntaxError")), ("import sys\nsys.exit('no')\n", ("mine.py, line 2", "SystemExit")),
+        ("import nowhere_to_be_found\n", ("mine.py, line 1", "nowhere_to_be_found")), ("x = 1\n", ("mine.py", "scene")),
+        ("scene = 'text'\n", ("mine.py", "str")), ("\x00", ("mine.py",)), (SCENE.replace('"kg", 1)', '"kg", -1)'), ("mine.py, line", "mass")),
         (SCENE.replace('"kg", 1)', '"m", 1)').replace('"radius", "m"', '"radius", "kg"'), ("mass", "radius")),
     ],
-)
+)  # fmt: skip
 def test_a_scene_file_that_fails_is_named_with_its_line(hertzwerk, text, words):
     Path("mine.py").write_text(text)
     done = hertzwerk("run", "mine.py", "--duration", "1 s", code=2)

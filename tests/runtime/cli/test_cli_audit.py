@@ -33,20 +33,8 @@ def test_one_expression(hertzwerk, options, code, said):
 
 def test_json_of_one_expression_and_advice_on_a_frequency(hertzwerk):
     done = hertzwerk(
-        "audit",
-        "--expr",
-        "E*sqrt(R)*d",
-        "--unit",
-        "E=Pa",
-        "--unit",
-        "R=m",
-        "--unit",
-        "d=m",
-        "--expect",
-        "N",
-        "--json",
-        code=1,
-    )
+        "audit", "--expr", "E*sqrt(R)*d", "--unit", "E=Pa", "--unit", "R=m", "--unit", "d=m", "--expect", "N", "--json", code=1,
+    )  # fmt: skip
     (finding,) = json.loads(done.output)["findings"]
     assert (finding["verdict"], finding["found"], finding["expected"]) == ("inconsistent", "N/m^0.5", "N")
     assert finding["consistent_exponent"] == "3/2"

@@ -37,11 +37,8 @@ def data(tmp_path, text):
 def test_the_report_and_its_files(hertzwerk, data, tmp_path):
     done = hertzwerk("bouncing_ball", "--measured", "data.csv", "--map", "force=floor.normal_force", *HOW)
     for expected in (
-        "causal, 3 dB down at 2 kHz",
-        "offset 0.39",
-        "249 samples within the run, 1 missing",
-        "explains every residual",
-    ):
+        "causal, 3 dB down at 2 kHz", "offset 0.39", "249 samples within the run, 1 missing", "explains every residual",
+    ):  # fmt: skip
         assert expected in done.output
     folder = tmp_path / "runs" / "bouncing_ball-compare-001"
     assert {file.name for file in folder.iterdir()} == {"comparison.json", "comparison.csv", "comparison.png"}

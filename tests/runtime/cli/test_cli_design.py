@@ -97,15 +97,12 @@ def test_minimise_by_options_and_by_file(file, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "places"),
     [
-        (
-            ("propagate", "bouncing_ball", "--uncertain", "gravity=Gauss(1)", "--uncertain", "mass"),
-            ("--uncertain", "mass"),
-        ),
+        (("propagate", "bouncing_ball", "--uncertain", "gravity=Gauss(1)", "--uncertain", "mass"), ("--uncertain", "mass")),
         (("propagate", "bouncing_ball", "--uncertain", "gravity=Normal(1 s)", "--sample", "7"), ("gravity", "sample")),
         (("minimise", "bouncing_ball", "--over", "mass=1"), ("over['mass']", "objective")),
         (("minimise", "bouncing_ball", "--objective", "mass", "--constraint", "mass"), ("--constraint",)),
     ],
-)
+)  # fmt: skip
 def test_bad_options_are_reported_at_once(arguments, places):
     reported = called(*arguments, "--duration", "0.1 s", code=2)
     assert all(place in reported.output for place in places)

@@ -51,14 +51,11 @@ def test_json_is_plain_and_writes_nothing(hertzwerk, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("--within", "much"), "such as 2%"),
-        (("--within", "120%"), "below 100 %"),
-        (("--tolerance", "fine"), "a number"),
-        (("--output", "max.hinge.angel"), "did you mean hinge.angle"),
-        (("--set", "bob_mess=2 kg", "--duration", "1 kg"), "2 faults"),
+        (("--within", "much"), "such as 2%"), (("--within", "120%"), "below 100 %"), (("--tolerance", "fine"), "a number"),
+        (("--output", "max.hinge.angel"), "did you mean hinge.angle"), (("--set", "bob_mess=2 kg", "--duration", "1 kg"), "2 faults"),
         (("--without", "spring"), "one of gravity"),
     ],
-)
+)  # fmt: skip
 def test_bad_input(hertzwerk, tmp_path, arguments, said):
     done = hertzwerk("pendulum", *arguments, code=2)
     assert said in done.output

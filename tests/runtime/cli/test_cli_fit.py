@@ -53,11 +53,8 @@ def test_two_runs_and_their_files(hertzwerk, data, tmp_path):
     both = ("--measured", "one.csv", "--measured", "two.csv", "--at", "two.csv:drop_height=0.6 m")
     done = hertzwerk(*both, *HOW, "--free", "restitution=0.3..1", "--out", "fitted")
     for expected in (
-        "restitution   0.",
-        "linear: curvature",
-        "explains the residuals",
-        "fitted/ (fit.json, fit.csv, fit.md, fit.png)",
-    ):
+        "restitution   0.", "linear: curvature", "explains the residuals", "fitted/ (fit.json, fit.csv, fit.md, fit.png)",
+    ):  # fmt: skip
         assert expected in done.output
     content = json.loads((tmp_path / "fitted" / "fit.json").read_text())
     value = content["values"]["restitution"]
@@ -77,18 +74,8 @@ def test_two_runs_and_their_files(hertzwerk, data, tmp_path):
 
 def test_json_alone_writes_nothing_and_an_undetermined_fit_is_another_outcome(hertzwerk, data, tmp_path):
     done = hertzwerk(
-        "--measured",
-        "one.csv",
-        *HOW,
-        "--free",
-        "restitution=0.3..1",
-        "--free",
-        "stiffness=1e9..1e12 N/m^1.5",
-        "--profile",
-        "none",
-        "--json",
-        code=1,
-    )
+        "--measured", "one.csv", *HOW, "--free", "restitution=0.3..1", "--free", "stiffness=1e9..1e12 N/m^1.5", "--profile", "none", "--json", code=1,
+    )  # fmt: skip
     content = json.loads(done.output)
     assert content["unidentified"] and content["explained"] is True
     assert not (tmp_path / "runs").exists()
@@ -105,17 +92,8 @@ def test_every_fault_in_one_error(hertzwerk, data):
 
 def test_laws_and_statistics(hertzwerk, data, tmp_path):
     bad = hertzwerk(
-        "--measured",
-        "one.csv",
-        *HOW,
-        "--free",
-        "restitution",
-        "--laws",
-        "floor=flores,no_such_law",
-        "--laws",
-        "roof=flores",
-        code=2,
-    )
+        "--measured", "one.csv", *HOW, "--free", "restitution", "--laws", "floor=flores,no_such_law", "--laws", "roof=flores", code=2,
+    )  # fmt: skip
     assert "no_such_law" in bad.output
     neither = hertzwerk("--free", "restitution", code=2)
     assert "--measured: found none, and no --moment" in neither.output

@@ -29,12 +29,8 @@ def test_the_list(hertzwerk):
         "grade": "A", "verdict": "consistent", "memory": "",
     } in listed  # fmt: skip
     assert {
-        **{row["law"]: row["memory"] for row in listed},
-        "flores": "v0",
-        "tsuji": "",
-        "kelvin_voigt": "",
-        "lugre": "z",
-    } == {row["law"]: row["memory"] for row in listed}
+        **{row["law"]: row["memory"] for row in listed}, "flores": "v0", "tsuji": "", "kelvin_voigt": "", "lugre": "z",
+    } == {row["law"]: row["memory"] for row in listed}  # fmt: skip
     assert len(listed) == len(rows) - 3
 
 
@@ -113,11 +109,9 @@ def test_the_picture_of_a_band(hertzwerk, tmp_path):
     assert "wang_liu_secant" in done.output and str(picture) in done.output.replace("\n", "")
     assert picture.read_bytes().startswith(b"\x89PNG")
     for arguments, said in (
-        (("wang_liu_internal", "--picture", str(picture)), "which exists"),
-        (("johnson", "--picture", str(tmp_path / "other.png")), "of grade A"),
-        (("--picture", str(tmp_path / "other.png")), "no law"),
-        (("wang_liu_internal", "--picture", str(tmp_path / "other.pdf")), "FILE.png"),
-    ):
+        (("wang_liu_internal", "--picture", str(picture)), "which exists"), (("johnson", "--picture", str(tmp_path / "other.png")), "of grade A"),
+        (("--picture", str(tmp_path / "other.png")), "no law"), (("wang_liu_internal", "--picture", str(tmp_path / "other.pdf")), "FILE.png"),
+    ):  # fmt: skip
         refused = hertzwerk("laws", *arguments, code=2)
         assert said in " ".join(refused.output.split())
     assert [path.name for path in tmp_path.iterdir()] == ["band.png"]

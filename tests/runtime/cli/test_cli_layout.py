@@ -29,11 +29,8 @@ def test_folding_keeps_the_words_and_the_width(text, width, indent):
 
 
 @given(
-    table=st.integers(1, 6).flatmap(
-        lambda n: st.lists(st.lists(TEXTS, min_size=n, max_size=n), min_size=1, max_size=5)
-    ),
-    width=st.integers(30, 90),
-)
+    table=st.integers(1, 6).flatmap(lambda n: st.lists(st.lists(TEXTS, min_size=n, max_size=n), min_size=1, max_size=5)), width=st.integers(30, 90),
+)  # fmt: skip
 def test_a_table_in_panels_has_every_word_whole_and_begins_each_with_the_first_column(table, width):
     header, *rows = table
     panels = list(tabulated(header, rows, width))
@@ -85,12 +82,8 @@ def on_terminal(command, **environment):
 
 @pytest.mark.parametrize(
     "command",
-    [
-        "list woodpecker",
-        "laws",
-        *(pytest.param(line, marks=pytest.mark.exhaustive) for line in ("hardcases --list", "laws flores", HARDCASES)),
-    ],
-)
+    ["list woodpecker", "laws", *(pytest.param(line, marks=pytest.mark.exhaustive) for line in ("hardcases --list", "laws flores", HARDCASES))],
+)  # fmt: skip
 def test_commands_fit_80_columns(command):
     lines = re.sub(r"\x1b\[[0-9;]*m", "", on_terminal(command)).split("\n")
     assert len(lines) > 10

@@ -30,13 +30,11 @@ def test_a_template_runs_by_the_command_that_is_printed(hertzwerk, template):
 @pytest.mark.parametrize(
     ("file", "found"),
     [
-        ("mine.py", "mine.py, which exists; expected a new file"),
-        ("two words.py", "the name 'two words'; expected an identifier"),
-        ("class.py", "the name 'class'"),
-        ("mine.toml", "mine.toml; expected a name that ends in .py"),
+        ("mine.py", "mine.py, which exists; expected a new file"), ("two words.py", "the name 'two words'; expected an identifier"),
+        ("class.py", "the name 'class'"), ("mine.toml", "mine.toml; expected a name that ends in .py"),
         ("mine.py/other.py", "mine.py, which is a file; expected a file in a folder that can be written to"),
     ],
-)
+)  # fmt: skip
 def test_a_file_that_cannot_be_a_new_scene_is_refused(hertzwerk, file, found):
     Path("mine.py").write_text("mine = 1\n")
     assert found in hertzwerk("new", file, code=2).output

@@ -54,13 +54,9 @@ def test_options_a_file_and_python_make_the_same_table(hertzwerk, tmp_path):
     assert (tmp_path / "filed" / "table.csv").read_bytes() == table
     over = {"drop_height": ["0.5 m", "0.75 m", "1 m"], "restitution": (0.5, 0.7)}
     python = sweep(
-        *("bouncing_ball", over),
-        parameters={"radius": "21 mm"},
-        laws={"floor": "flores"},
-        outputs=["floor.peak_force", "floor.impact_rate"],
-        duration=1.0,
-        tolerance=1e-7,
-    )
+        *("bouncing_ball", over), parameters={"radius": "21 mm"}, laws={"floor": "flores"}, outputs=["floor.peak_force", "floor.impact_rate"],
+        duration=1.0, tolerance=1e-7,
+    )  # fmt: skip
     assert python.to_csv(tmp_path / "python.csv").read_bytes() == table
 
 

@@ -139,14 +139,12 @@ BAR = r"slider_crank: running  \[[#-]{30}\] +\d+%"
 @pytest.mark.parametrize(
     ("arguments", "moment", "number", "code", "outcome"),
     [
-        (RUN, r"click\.core", signal.SIGINT, -signal.SIGINT, None),
-        (RUN, "building", signal.SIGINT, -signal.SIGINT, None),
-        (LONG, BAR, signal.SIGTERM, 1, "interrupted"),
-        pytest.param(LONG, BAR, signal.SIGINT, 1, "interrupted", marks=pytest.mark.exhaustive),
+        (RUN, r"click\.core", signal.SIGINT, -signal.SIGINT, None), (RUN, "building", signal.SIGINT, -signal.SIGINT, None),
+        (LONG, BAR, signal.SIGTERM, 1, "interrupted"), pytest.param(LONG, BAR, signal.SIGINT, 1, "interrupted", marks=pytest.mark.exhaustive),
         pytest.param(RUN, r"states\.csv", signal.SIGINT, 1, "finished", marks=pytest.mark.exhaustive),
         pytest.param(RUN, r"writing overview\.png", signal.SIGINT, 1, "finished", marks=pytest.mark.exhaustive),
     ],
-)
+)  # fmt: skip
 def test_a_signal_ends_it_at_once_and_what_there_is_is_kept(tmp_path, arguments, moment, number, code, outcome):
     ended = signalled(tmp_path, arguments, moment, number)
     assert ended.code == code, ended.said
@@ -195,14 +193,11 @@ def fails(*_, **__):
 @pytest.mark.parametrize(
     ("place", "name", "lost"),
     [
-        (Solution, "to_file", {"states.csv"}),
-        (Solution, "averages", set()),
+        (Solution, "to_file", {"states.csv"}), (Solution, "averages", set()),
         ("hertzwerk.runtime.output.plots.plot_run", "_overview", {"overview.png"}),
-        pytest.param(
-            "hertzwerk.runtime.output.drawings.picture", "of_run", {"mechanism.png"}, marks=pytest.mark.exhaustive
-        ),
+        pytest.param("hertzwerk.runtime.output.drawings.picture", "of_run", {"mechanism.png"}, marks=pytest.mark.exhaustive),
     ],
-)
+)  # fmt: skip
 def test_a_picture_that_fails_is_reported_and_alone_missing(run, monkeypatch, place, name, lost):
     files = {"states.npz", "run.json", "states.csv"}
     files |= set() if place is Solution else {"mechanism.png", "overview.png", "spheres.png"}

@@ -56,22 +56,14 @@ WHOLE = hd.Scene(
     scales=scales,
 )
 ENGINE = hd.Scene(
-    hd.Mechanism("engine", (shaft,)),
-    (engine, hd.JointForce("reaction", "shaft", -hd.Input("load", "N m")), hd.EnergyLedger()),
-    start=hd.Start(speed={"shaft": w}),
-    scales=scales,
-)
+    hd.Mechanism("engine", (shaft,)), (engine, hd.JointForce("reaction", "shaft", -hd.Input("load", "N m")), hd.EnergyLedger()),
+    start=hd.Start(speed={"shaft": w}), scales=scales,
+)  # fmt: skip
 CRANK = hd.Scene(
     hd.Mechanism("crank", joints, mechanism.pairs),
-    (
-        hd.JointForce(
-            "twist", "main_bearing", torque(hd.Input("shaft_angle", "rad"), hd.Input("shaft_speed", "rad/s"))
-        ),
-        *effects,
-    ),
-    start=hd.Start(position={"guide": r + l, "main_bearing": 0}, speed=speeds),
-    scales=scales,
-)
+    (hd.JointForce("twist", "main_bearing", torque(hd.Input("shaft_angle", "rad"), hd.Input("shaft_speed", "rad/s"))), *effects),
+    start=hd.Start(position={"guide": r + l, "main_bearing": 0}, speed=speeds), scales=scales,
+)  # fmt: skip
 
 
 class Part:

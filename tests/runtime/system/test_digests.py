@@ -38,12 +38,10 @@ OUTPUT = ("--output", "final.vertical.speed")
     ("file", "arguments"),
     [
         ("fit.json", ("propagate", "bouncing_ball", *OUTPUT, "--duration", "0.1 s", "--fitted")),
-        ("run.json", ("run", "--duration", "1 s", "--continue")),
-        (f"{ROWS}/{REQUEST}", ("study", "--resume")),
-        ("study.json", ("report",)),
+        ("run.json", ("run", "--duration", "1 s", "--continue")), (f"{ROWS}/{REQUEST}", ("study", "--resume")), ("study.json", ("report",)),
         ("propagation.json", ("report",)),
     ],
-)
+)  # fmt: skip
 def test_damaged_records_are_refused(tmp_path, file, arguments):
     (tmp_path / file).parent.mkdir(exist_ok=True)
     content = {"distribution": {"names": ["mass"]}, "request": {"target": "bouncing_ball"}, "name": "bouncing"}

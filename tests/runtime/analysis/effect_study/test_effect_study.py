@@ -27,11 +27,9 @@ def oscillator(*effects) -> hd.Scene:
     start = hd.Parameter("start", "m", START)
     spring = hd.JointSpring("spring", "slide", hd.Parameter("stiffness", "N/m", STIFFNESS))
     return hd.Scene(
-        hd.Mechanism("oscillator", (hd.Prismatic("slide", hd.GROUND, block, axis=hd.X),)),
-        effects=(spring, *effects),
-        start=hd.Start(position={"slide": start}),
-        scales=hd.Scales(length=start, speed=hd.Parameter("pace", "m/s", 1)),
-    )
+        hd.Mechanism("oscillator", (hd.Prismatic("slide", hd.GROUND, block, axis=hd.X),)), effects=(spring, *effects),
+        start=hd.Start(position={"slide": start}), scales=hd.Scales(length=start, speed=hd.Parameter("pace", "m/s", 1)),
+    )  # fmt: skip
 
 
 def spring(name: str, part: float) -> hd.JointSpring:
@@ -44,10 +42,8 @@ def force(name: str, part: float) -> hd.JointForce:
 
 
 SPRINGS = oscillator(
-    spring("tiny", TINY),
-    spring("whisper", WHISPER),
-    hd.EnergyLedger(),
-)
+    spring("tiny", TINY), spring("whisper", WHISPER), hd.EnergyLedger(),
+)  # fmt: skip
 SPEED, MEAN = "max.slide.speed", "mean.slide.travel"
 
 
@@ -71,10 +67,8 @@ def test_a_spring_in_parallel_changes_what_it_does_in_closed_form_within_the_err
     assert not rows["spring"].changes["peak_acceleration"].why
     omega = math.sqrt(STIFFNESS * (1 + TINY + WHISPER) / MASS)
     for name, exact in (
-        ("peak_acceleration", START * omega**2),
-        (SPEED, START * omega),
-        (MEAN, START * math.sin(omega * DURATION) / (omega * DURATION)),
-    ):
+        ("peak_acceleration", START * omega**2), (SPEED, START * omega), (MEAN, START * math.sin(omega * DURATION) / (omega * DURATION)),
+    ):  # fmt: skip
         number = springs.numbers[name]
         assert abs(number.value - exact) <= number.error < 1e-4 * abs(exact), name
 

@@ -38,10 +38,8 @@ def test_friction_holds_or_opposes_the_sliding_with_all_that_it_may(tangents):
     rng = np.random.default_rng(7)
     for _ in range(30):
         D, b, mu = (
-            inverse_inertia(rng, 1 + tangents) + np.eye(1 + tangents),
-            rng.standard_normal(1 + tangents),
-            rng.uniform(0.05, 0.4),
-        )
+            inverse_inertia(rng, 1 + tangents) + np.eye(1 + tangents), rng.standard_normal(1 + tangents), rng.uniform(0.05, 0.4),
+        )  # fmt: skip
         b[0] = -abs(b[0])
         x = solved(D, b, [Contact(0, tuple(range(1, 1 + tangents)), mu)])
         v = D @ x + b

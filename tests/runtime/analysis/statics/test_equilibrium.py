@@ -151,9 +151,7 @@ def sledge(friction=None, floors=1):
     stiffness = [p(f"stiffness_{i}", "N/m", 1e5 * (i + 1)) for i in range(floors)]
     return hd.Scene(
         hd.Mechanism(
-            "sledge",
-            (hd.Prismatic("along", hd.GROUND, cart, axis=hd.X), hd.Prismatic("up", cart, body, axis=hd.Y)),
-            pairs,
+            "sledge", (hd.Prismatic("along", hd.GROUND, cart, axis=hd.X), hd.Prismatic("up", cart, body, axis=hd.Y)), pairs,
         ),
         effects=(
             hd.Gravity("weight", p("weight", "m/s^2", 10), direction=-hd.Y),
@@ -163,7 +161,7 @@ def sledge(friction=None, floors=1):
         ),
         scales=hd.Scales(length=p("depth", "mm", 0.1), speed=p("pace", "m/s", 1)),
         start=hd.Start(position={"up": radius + p("height", "mm", 5)}),
-    )
+    )  # fmt: skip
 
 
 MU = p("mu_k", "1", 0.2), p("mu_s", "1", 0.3)
@@ -186,25 +184,21 @@ def test_friction_in_two_directions_holds_up_to_its_size():
     ball, r = hd.Body("ball", p("m", "kg", 1)), p("r", "mm", 10)
     one, two = (hd.Body(f"slide_{i}", p(f"m_{i}", "kg", 1e-3)) for i in (1, 2))
     joints = (
-        hd.Prismatic("px", hd.GROUND, one, axis=hd.X),
-        hd.Prismatic("py", one, two, axis=hd.Y),
-        hd.Prismatic("pz", two, ball, axis=hd.Z),
-    )
+        hd.Prismatic("px", hd.GROUND, one, axis=hd.X), hd.Prismatic("py", one, two, axis=hd.Y), hd.Prismatic("pz", two, ball, axis=hd.Z),
+    )  # fmt: skip
     push = p("push", "N", 1)
     scene = hd.Scene(
         hd.Mechanism(
             "pushed", joints, (hd.SphereOnPlane("floor", ball.at(0, 0, 0), r, hd.GROUND.at(0, 0, 0), normal=hd.Z),)
         ),
         (
-            hd.Gravity("gravity", p("g", "m/s^2", 10), direction=-hd.Z),
-            hd.Contact("floor", power(p("K", "N/m", 1e5), 1)),
-            hd.Friction("rub", "floor", coulomb(p("mu", "1", 0.3), p("mu_s", "1", 0.3))),
-            hd.JointForce("along", "px", push / math.sqrt(2)),
+            hd.Gravity("gravity", p("g", "m/s^2", 10), direction=-hd.Z), hd.Contact("floor", power(p("K", "N/m", 1e5), 1)),
+            hd.Friction("rub", "floor", coulomb(p("mu", "1", 0.3), p("mu_s", "1", 0.3))), hd.JointForce("along", "px", push / math.sqrt(2)),
             hd.JointForce("across", "py", push / math.sqrt(2)),
         ),
         hd.Scales(r, p("pace", "m/s", 1)),
         hd.Start(position={"pz": r}),
-    )
+    )  # fmt: skip
     model = engine_model(scene)
     held = equilibrium(model, parameters={"push": "2.97 N"})
     assert held.converged
@@ -215,10 +209,8 @@ def test_friction_in_two_directions_holds_up_to_its_size():
 def test_a_drive_carries_what_friction_holds_on_it():
     """A block of 2 kg sticks to the side of a carriage of 3 kg, whose lift takes the weight of both."""
     carriage, block, r = (
-        hd.Body("carriage", p("M", "kg", 3)),
-        hd.Body("block", p("m", "kg", 2)),
-        p("r", "mm", 10),
-    )
+        hd.Body("carriage", p("M", "kg", 3)), hd.Body("block", p("m", "kg", 2)), p("r", "mm", 10),
+    )  # fmt: skip
     slide = hd.Body("slide", p("m_0", "kg", 0.1))
     scene = hd.Scene(
         hd.Mechanism(
@@ -231,15 +223,13 @@ def test_a_drive_carries_what_friction_holds_on_it():
             (hd.SphereOnPlane("side", block.at(0, 0, 0), r, carriage.at(0, 0, 0), normal=hd.X),),
         ),
         (
-            hd.Gravity("gravity", p("g", "m/s^2", G), direction=-hd.Y),
-            hd.Contact("side", power(p("K", "N/m", 1e6), 1)),
-            hd.Friction("rub", "side", coulomb(p("mu", "1", 0.5), p("mu_s", "1", 0.5))),
-            hd.JointForce("press", "aside", -p("pressing", "N", 100)),
+            hd.Gravity("gravity", p("g", "m/s^2", G), direction=-hd.Y), hd.Contact("side", power(p("K", "N/m", 1e6), 1)),
+            hd.Friction("rub", "side", coulomb(p("mu", "1", 0.5), p("mu_s", "1", 0.5))), hd.JointForce("press", "aside", -p("pressing", "N", 100)),
             hd.Drive("hoist", "lift", position=p("high", "mm", 0)),
         ),
         hd.Scales(r, p("pace", "m/s", 1)),
         hd.Start(position={"aside": r}),
-    )
+    )  # fmt: skip
     rest = equilibrium(engine_model(scene))
     assert rest.converged
     assert abs(rest.sticking["side"]) == pytest.approx(2.1 * G, rel=1e-9)
@@ -327,13 +317,11 @@ def test_a_body_moved_by_drives_alone_has_forces():
             (hd.SphereOnPlane("floor", ball.at(0, 0, 0), r, hd.GROUND.at(0, 0, 0), normal=hd.Y),),
         ),
         (
-            hd.Gravity("gravity", p("g", "m/s^2", G), direction=-hd.Y),
-            hd.Contact("floor", power(p("K", "N/m", 1e5), 1)),
-            hd.Drive("press", "lift", position=deep),
-            hd.EnergyLedger(),
+            hd.Gravity("gravity", p("g", "m/s^2", G), direction=-hd.Y), hd.Contact("floor", power(p("K", "N/m", 1e5), 1)),
+            hd.Drive("press", "lift", position=deep), hd.EnergyLedger(),
         ),
         hd.Scales(r, p("pace", "m/s", 1)),
-    )
+    )  # fmt: skip
     for coordinates in ("tree", "absolute"):
         rest = equilibrium(engine_model(scene.with_coordinates(coordinates)))
         assert rest.outcome.name == "found"
@@ -365,13 +353,8 @@ def test_a_motor_s_current_comes_to_rest_where_its_winding_takes_the_voltage():
 
 def test_a_mechanism_that_keeps_a_speed_has_no_equilibrium_and_one_that_only_counts_has():
     control = hd.SpeedController(
-        "control",
-        "main",
-        p("w", "rad/s", 5),
-        p("Kp", "V s/rad", 0.5),
-        p("Ki", "V/rad", 5),
-        unit="V",
-    )
+        "control", "main", p("w", "rad/s", 5), p("Kp", "V s/rad", 0.5), p("Ki", "V/rad", 5), unit="V",
+    )  # fmt: skip
     rest = equilibrium(motor(control.command, control, hd.JointForce("load", "main", p("M", "N m", -0.5))))
     assert rest.outcome.name == "no_equilibrium"
     assert "control.error by 5 (rad)/s" in rest.outcome.message and "modes(run" in rest.outcome.remedy
@@ -380,10 +363,7 @@ def test_a_mechanism_that_keeps_a_speed_has_no_equilibrium_and_one_that_only_cou
     control = hd.SpeedController("control", "main", p("w", "rad/s", 5), *gains, unit="N m", period=p("Ts", "ms", 1))
     rest = equilibrium(
         motor(
-            p("volts", "V", 2),
-            control,
-            hd.JointForce("drive", "main", control.command),
-            hd.JointSpring("spring", "main", p("k_t", "N m/rad", 0.8)),
+            p("volts", "V", 2), control, hd.JointForce("drive", "main", control.command), hd.JointSpring("spring", "main", p("k_t", "N m/rad", 0.8)),
         )
-    )
+    )  # fmt: skip
     assert rest.outcome.name == "found" and rest["main.angle"][0] == pytest.approx(0.5)

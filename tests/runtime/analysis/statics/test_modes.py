@@ -76,11 +76,9 @@ def test_a_hanging_chain_and_the_zeros_of_bessels_function():
     scales = hd.Scales(length=part, speed=hd.Parameter("pace", "m/s", 1), arm=part)
     model = engine_model(
         hd.Scene(
-            hd.Mechanism("chain", tuple(hinges)),
-            (hd.Gravity("gravity", hd.Parameter("g", "m/s^2", G), direction=-hd.Y),),
-            scales,
+            hd.Mechanism("chain", tuple(hinges)), (hd.Gravity("gravity", hd.Parameter("g", "m/s^2", G), direction=-hd.Y),), scales,
         )
-    )
+    )  # fmt: skip
     actual = 2 * math.pi * modes(model, initial={"hinge_0.angle": "1 rad", "hinge_3.angle": "-2 rad"}).frequencies
     assert actual == pytest.approx(hanging(LINKS), rel=1e-8)
     bessel = jn_zeros(0, 3) / 2 * math.sqrt(G / LENGTH)
@@ -136,11 +134,9 @@ def turntable(drive):
     spring = hd.JointSpring("spring", "groove", hd.Parameter("stiffness", "N/m", 200))
     size = hd.Parameter("size", "m", 0.1)
     return hd.Scene(
-        hd.Mechanism("turntable", joints),
-        (hd.Drive("drive", "axle", **TURNED[drive]), spring),
-        hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1), arm=size),
-        start=hd.Start(position={"groove": hd.Parameter("away", "m", 0.1)}),
-    )
+        hd.Mechanism("turntable", joints), (hd.Drive("drive", "axle", **TURNED[drive]), spring),
+        hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1), arm=size), start=hd.Start(position={"groove": hd.Parameter("away", "m", 0.1)}),
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize(

@@ -103,15 +103,8 @@ def test_laws_without_e_against_another_integrator(study, name, drag):
 
         end.terminal, end.direction = True, -1
         run = solve_ivp(
-            lambda _, y: (y[1], -force(*y)),
-            (0, 1000),
-            (1e-13, 1.0),
-            "DOP853",
-            events=end,
-            rtol=1e-12,
-            atol=1e-15,
-            max_step=0.05,
-        )
+            lambda _, y: (y[1], -force(*y)), (0, 1000), (1e-13, 1.0), "DOP853", events=end, rtol=1e-12, atol=1e-15, max_step=0.05,
+        )  # fmt: skip
         assert out == pytest.approx(-run.y_events[0][0][1], rel=1e-8)
 
 

@@ -62,10 +62,8 @@ def test_ten_times_the_duration_ends_for_a_reason_of_the_motion(name):
     scenario, model = load_scenario(name), engine_model(name)
     duration = 10 * float(scenario.duration.split()[0])
     options = {
-        "duration": f"{duration!r} {scenario.duration.split()[1]}",
-        "parameters": scenario.parameters,
-        "initial": scenario.initial,
-    }
+        "duration": f"{duration!r} {scenario.duration.split()[1]}", "parameters": scenario.parameters, "initial": scenario.initial,
+    }  # fmt: skip
     run = simulate(model, **options)
     assert run.engine.t_end == run.settings.duration
     assert run.energy_residual < 1e-6
@@ -83,29 +81,19 @@ def test_ten_times_the_duration_ends_for_a_reason_of_the_motion(name):
 
 # Per scenario: a parameter off by 1 %, the check that must then fail, and how long a run it takes to see it.
 FAULTS = {
-    "ball_bearing": ("pitch_diameter = 39.4304 mm", "final.spin_0.speed", ""),
-    "andrews_squeezer": ("m7 = 0.0555298 kg", "final.beta.angle", ""),
+    "ball_bearing": ("pitch_diameter = 39.4304 mm", "final.spin_0.speed", ""), "andrews_squeezer": ("m7 = 0.0555298 kg", "final.beta.angle", ""),
     "gears_with_backlash": ("wheel_inertia = 2.02e-3 kg m^2", "final.idler.angle", ""),
-    "geneva_drive": ("crank_speed = 121.2 rpm", "min.axle.speed", "90 ms"),
-    "geared_hoist": ("drum_radius = 80.8 mm", "final.rope_end.travel", ""),
-    "woodpecker": ("bird_mass = 4.545 g", "final.fall.travel", ""),
-    "ball_on_oil": ("viscosity = 0.202 Pa s", "impacts.0.speed", ""),
-    "ball_between_walls": ("restitution = 0.909", "impacts.1.speed", "0.2 s"),
-    "ball_in_socket": ("mass = 0.505 kg", "final.float.x", ""),
-    "bicycle": ("trail = 0.0808 m", "final.steer.angle", ""),
-    "flexible_slider_crank": ("youngs_modulus = 202 GPa", "max.coupler.sag_50", ""),
-    "bouncing_ball": ("drop_height = 1.01 m", "impacts.0.t", "0.5 s"),
-    "cam_follower": ("lift = 10.1 mm", "max.guide.travel", ""),
-    "bricard": ("gravity = 9.9081 m/s^2", "final.hinge_a.angle", ""),
-    "double_pendulum": ("length = 1.01 m", "final.elbow.angle", ""),
+    "geneva_drive": ("crank_speed = 121.2 rpm", "min.axle.speed", "90 ms"), "geared_hoist": ("drum_radius = 80.8 mm", "final.rope_end.travel", ""),
+    "woodpecker": ("bird_mass = 4.545 g", "final.fall.travel", ""), "ball_on_oil": ("viscosity = 0.202 Pa s", "impacts.0.speed", ""),
+    "ball_between_walls": ("restitution = 0.909", "impacts.1.speed", "0.2 s"), "ball_in_socket": ("mass = 0.505 kg", "final.float.x", ""),
+    "bicycle": ("trail = 0.0808 m", "final.steer.angle", ""), "flexible_slider_crank": ("youngs_modulus = 202 GPa", "max.coupler.sag_50", ""),
+    "bouncing_ball": ("drop_height = 1.01 m", "impacts.0.t", "0.5 s"), "cam_follower": ("lift = 10.1 mm", "max.guide.travel", ""),
+    "bricard": ("gravity = 9.9081 m/s^2", "final.hinge_a.angle", ""), "double_pendulum": ("length = 1.01 m", "final.elbow.angle", ""),
     "flyball_governor": ("ball_mass = 2.02 kg", "max.right_hinge.angle", ""),
     "four_bar_clearance": ("rocker_inertia = 1.515e-4 kg m^2", "impacts.0.t", "2 ms"),
-    "journal_in_bearing": ("load = 505 N", "final.bearing.penetration", ""),
-    "journal_lubricated": ("viscosity = 0.0505 Pa s", "final.shaft.x", ""),
-    "n_four_bar": ("gravity = 9.9081 m/s^2", "final.foot_0.angle", ""),
-    "newtons_cradle": ("length = 0.2525 m", "impacts.0.speed", "0.3 s"),
-    "pendulum": ("length = 1.01 m", "final.hinge.speed", ""),
-    "slider_crank": ("slider_mass = 0.1414 kg", "impacts.0.peak_penetration", "1 ms"),
+    "journal_in_bearing": ("load = 505 N", "final.bearing.penetration", ""), "journal_lubricated": ("viscosity = 0.0505 Pa s", "final.shaft.x", ""),
+    "n_four_bar": ("gravity = 9.9081 m/s^2", "final.foot_0.angle", ""), "newtons_cradle": ("length = 0.2525 m", "impacts.0.speed", "0.3 s"),
+    "pendulum": ("length = 1.01 m", "final.hinge.speed", ""), "slider_crank": ("slider_mass = 0.1414 kg", "impacts.0.peak_penetration", "1 ms"),
     "slider_crank_dc_motor": ("rod_mass_centre = 0.0606 m", "impacts.0.t", "1 ms"),
     "slider_crank_frictionless": ("rod_length = 0.1212 m", "impacts.0.speed", "1 ms"),
     "slider_crank_three_clearances": ("rod_mass_centre = 0.0606 m", "impacts.0.t", "1 ms"),
@@ -117,13 +105,10 @@ FAULTS = {
     "chain_on_table": ("link_mass = 5.05 g", "final.ball_0.normal_force", ""),
     "slider_crank_line": ("rod_length = 0.1212 m", "impacts.0.speed", "1 ms"),
     "spheres_in_box": ("density = 1111 kg/m^3", "final.floor_1.normal_force", ""),
-    "lubricated_slider_crank": ("viscosity = 5.05 mPa s", "impacts.0.t", "1 ms"),
-    "housner_block": ("tilt = 0.101 rad", "impacts.1.t", "0.5 s"),
-    "worn_track": ("radius = 4.81 mm", "final.wear.track_6", ""),
-    "worn_slider_crank": ("rod_length = 0.1212 m", "impacts.0.t", "1 ms"),
-    "yielding_ball": ("yield_strength = 1010 MPa", "impacts.1.speed", ""),
-    "two_spheres": ("mass = 0.09292 kg", "impacts.0.peak_penetration", ""),
-}
+    "lubricated_slider_crank": ("viscosity = 5.05 mPa s", "impacts.0.t", "1 ms"), "housner_block": ("tilt = 0.101 rad", "impacts.1.t", "0.5 s"),
+    "worn_track": ("radius = 4.81 mm", "final.wear.track_6", ""), "worn_slider_crank": ("rod_length = 0.1212 m", "impacts.0.t", "1 ms"),
+    "yielding_ball": ("yield_strength = 1010 MPa", "impacts.1.speed", ""), "two_spheres": ("mass = 0.09292 kg", "impacts.0.peak_penetration", ""),
+}  # fmt: skip
 
 
 @pytest.mark.by_turns(5)
@@ -147,14 +132,11 @@ def test_a_parameter_that_is_off_by_a_hundredth_fails_a_check(name):
 @pytest.mark.parametrize(
     ("check", "passes"),
     [
-        ('expected = "0.3 m/s"\ntolerance = 1e-9', True),
-        ('expected = "300 mm/s"\ntolerance = 1e-9', True),
-        ('expected = "0.3001 m/s"\ntolerance = 1e-4', False),
-        ('expected = "-0.3 m/s"\ntolerance = 0.5', False),
-        ('at_most = "0.31 m/s"', True),
+        ('expected = "0.3 m/s"\ntolerance = 1e-9', True), ('expected = "300 mm/s"\ntolerance = 1e-9', True),
+        ('expected = "0.3001 m/s"\ntolerance = 1e-4', False), ('expected = "-0.3 m/s"\ntolerance = 0.5', False), ('at_most = "0.31 m/s"', True),
         ('at_most = "0.29 m/s"', False),
     ],
-)
+)  # fmt: skip
 def test_a_check_can_fail(tmp_path, spheres, check, passes):
     text = GOOD.replace('expected = "0.3 m/s"\ntolerance = 1e-9', check)
     (verdict,) = validate(load_scenario(written(tmp_path, text)), spheres)

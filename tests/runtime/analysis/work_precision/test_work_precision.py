@@ -32,10 +32,8 @@ def scene():
     """
     size, mass = hd.Parameter("size", "m", 1), hd.Parameter("mass", "kg", 1)
     push, drag, w = (
-        hd.Parameter("push", "N/m", RATE**2),
-        hd.Parameter("drag", "N s/m", 0),
-        hd.Parameter("w", "rad/s", SWING),
-    )
+        hd.Parameter("push", "N/m", RATE**2), hd.Parameter("drag", "N s/m", 0), hd.Parameter("w", "rad/s", SWING),
+    )  # fmt: skip
     swung = (push + mass * w**2) * size * sp.cos(w * hd.T)
     force = push * hd.coordinate_of("slide") - drag * hd.speed_of("slide") - swung
     return hd.Scene(

@@ -50,14 +50,8 @@ def true_error(run, friction):
     state = run.engine.final
     turned = MECHANISM.w * FAR
     return reference(friction).error(
-        FAR,
-        (
-            state["crank_pin.angle"] + turned,
-            state["guide.travel"],
-            state["crank_pin.speed"] + MECHANISM.w,
-            state["guide.speed"],
-        ),
-    )
+        FAR, (state["crank_pin.angle"] + turned, state["guide.travel"], state["crank_pin.speed"] + MECHANISM.w, state["guide.speed"]),
+    )  # fmt: skip
 
 
 @pytest.fixture(scope="module")

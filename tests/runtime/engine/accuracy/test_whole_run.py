@@ -115,13 +115,10 @@ def pendulum_on_a_universal_joint():
     bob = hd.Body("bob", mass, inertia, centre=(0, -arm, 0))
     joint = hd.Universal("joint", hd.GROUND, bob, hd.X, hd.Z)
     return hd.Scene(
-        hd.Mechanism("hung", (joint,)),
-        (hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), direction=-hd.Y),),
-        start=hd.Start(
-            position={"joint.angle_1": hd.Parameter("a", "rad", 0.7), "joint.angle_2": hd.Parameter("b", "rad", 0.4)}
-        ),
+        hd.Mechanism("hung", (joint,)), (hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), direction=-hd.Y),),
+        start=hd.Start(position={"joint.angle_1": hd.Parameter("a", "rad", 0.7), "joint.angle_2": hd.Parameter("b", "rad", 0.4)}),
         scales=hd.Scales(length=arm, speed=hd.Parameter("pace", "m/s", 2), arm=arm),
-    )
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("method", ["dop853", "dopri5", "esdirk", "rodas"])
@@ -151,12 +148,8 @@ def test_extremes_are_found_within_the_steps_as_a_sweep_finds_them():
     assert peak.t < actual.highest_t < peak.t + peak.duration
     assert actual.highest > run["slider_pin.normal_force"].max()
     swept = sweep(
-        crank,
-        {"restitution": [0.9]},
-        outputs=["slider_pin.normal_force.max", "guide.travel.min"],
-        duration="5 ms",
-        accuracy=1e-5,
-    )
+        crank, {"restitution": [0.9]}, outputs=["slider_pin.normal_force.max", "guide.travel.min"], duration="5 ms", accuracy=1e-5,
+    )  # fmt: skip
     assert swept["slider_pin.normal_force.max"][0] == actual.highest
     assert swept["guide.travel.min"][0] == run.extremes("guide.travel").lowest
     with pytest.raises(KeyError, match="did you mean"):

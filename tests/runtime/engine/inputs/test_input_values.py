@@ -49,15 +49,9 @@ def test_samples_are_held_joined_or_a_spline_and_tables_are_joined():
 
 
 @pytest.mark.parametrize(
-    "function",
-    [
-        lambda t: 4 * math.cos(30 * t),
-        lambda t: 4.0 if t < 1.2345 else -1.0,
-        lambda t: abs(math.sin(5 * t)),
-        lambda t: 7.0,
-    ],
+    "function", [lambda t: 4 * math.cos(30 * t), lambda t: 4.0 if t < 1.2345 else -1.0, lambda t: abs(math.sin(5 * t)), lambda t: 7.0],
     ids=["smooth", "jump", "kink", "constant"],
-)
+)  # fmt: skip
 def test_a_function_is_sampled_to_its_accuracy(function):
     result = signal(function)
     times = np.random.default_rng(1).uniform(0, 2, 2000)
@@ -103,22 +97,15 @@ def test_a_column_of_a_file_is_read_with_the_arguments_behind_its_name(tmp_path,
 @pytest.mark.parametrize(
     ("value", "said"),
     [
-        ("3 m", "expected a value in N"),
-        (3.0, "3, a number without a unit"),
-        (None, "a value such as"),
-        (True, "a value such as"),
-        (Samples((0, 1), (1, 2), ("m", "N")), "a unit of time"),
-        (Samples((0, 1), (1, 2), ("s", "m")), "values in m"),
-        (Samples((0, 1), (1, 2), ("s", "pushes")), "unit 'pushes'"),
-        (Samples((0, 1), (1, 2), ("s", "N"), "bent"), "one of linear, held, cubic"),
+        ("3 m", "expected a value in N"), (3.0, "3, a number without a unit"), (None, "a value such as"), (True, "a value such as"),
+        (Samples((0, 1), (1, 2), ("m", "N")), "a unit of time"), (Samples((0, 1), (1, 2), ("s", "m")), "values in m"),
+        (Samples((0, 1), (1, 2), ("s", "pushes")), "unit 'pushes'"), (Samples((0, 1), (1, 2), ("s", "N"), "bent"), "one of linear, held, cubic"),
         (Samples((0, 1, 1, 0.5), (1, 2, 3, 4), ("s", "N")), "the time 1 after 1 in place 3, and 1 more like it"),
-        (Samples((0, 1), (1, math.nan), ("s", "N")), "the value nan in place 2"),
-        (Samples((0,), (1,), ("s", "N")), "two or more"),
-        (Samples((0, 1), (1, "x"), ("s", "N")), "an array of times"),
-        (Table("lift", (0, 1), (0, 1), ("s", "m")), "values in m"),
+        (Samples((0, 1), (1, math.nan), ("s", "N")), "the value nan in place 2"), (Samples((0,), (1,), ("s", "N")), "two or more"),
+        (Samples((0, 1), (1, "x"), ("s", "N")), "an array of times"), (Table("lift", (0, 1), (0, 1), ("s", "m")), "values in m"),
         (Table("lift", (1, 0), (0, 1), ("s", "N")), "arguments that increase"),
     ],
-)
+)  # fmt: skip
 def test_faults_name_the_input_and_what_is_wrong(value, said):
     text = refused(value)
     assert text.startswith(("input push", "table lift")) and said in text

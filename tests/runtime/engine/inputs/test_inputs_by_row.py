@@ -120,15 +120,11 @@ def test_many_runs_have_inputs_of_their_own_and_a_name_that_is_no_input_stays_a_
 @pytest.mark.parametrize(
     ("over", "message"),
     [
-        ({"push": ["nowhere.csv:load"]}, "nowhere.csv"),
-        ({"push": ["calm.csv:loud", "gusty.csv:push:cubical"]}, "linear, held, cubic"),
-        ({"push": "1..2 m:3"}, "input push"),
-        ({"push.scale": "1 N"}, "no value|push.scale"),
-        ({"shove": ["calm.csv"]}, "shove"),
-        ({"shove.scale": "1"}, "shove.scale"),
-        ({"push": []}, "no value"),
+        ({"push": ["nowhere.csv:load"]}, "nowhere.csv"), ({"push": ["calm.csv:loud", "gusty.csv:push:cubical"]}, "linear, held, cubic"),
+        ({"push": "1..2 m:3"}, "input push"), ({"push.scale": "1 N"}, "no value|push.scale"), ({"shove": ["calm.csv"]}, "shove"),
+        ({"shove.scale": "1"}, "shove.scale"), ({"push": []}, "no value"),
     ],
-)
+)  # fmt: skip
 def test_bad_choices_are_reported_at_once(folder, over, message):
     with pytest.raises(InputError, match=message):
         sweep(shaken(), over, **HOW)

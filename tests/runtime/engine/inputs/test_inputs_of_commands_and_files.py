@@ -90,12 +90,10 @@ def test_statics_have_the_value_of_the_time():
 @pytest.mark.parametrize(
     ("text", "there"),
     [
-        ("push=bench.csv:load", "push=/data/bench.csv:load"),
-        ("bench.csv:load:held", "/data/bench.csv:load:held"),
-        ("push=/tmp/bench.csv:load", "push=/tmp/bench.csv:load"),
-        ("push=3 N", "push=3 N"),
+        ("push=bench.csv:load", "push=/data/bench.csv:load"), ("bench.csv:load:held", "/data/bench.csv:load:held"),
+        ("push=/tmp/bench.csv:load", "push=/tmp/bench.csv:load"), ("push=3 N", "push=3 N"),
     ],
-)
+)  # fmt: skip
 def test_files_are_seen_from_a_folder(text, there, tmp_path):
     from pathlib import Path
 

@@ -85,12 +85,9 @@ def shaken_table():
     effects = (hd.Drive("shaker", "slide", position=lift), spring, hd.EnergyLedger())
     return load(
         hd.Scene(
-            hd.Mechanism("table", joints),
-            effects,
-            scales,
-            start=hd.Start(position={"seat": 0.5 * hd.Parameter("one", "m", 1)}),
+            hd.Mechanism("table", joints), effects, scales, start=hd.Start(position={"seat": 0.5 * hd.Parameter("one", "m", 1)}),
         )
-    )
+    )  # fmt: skip
 
 
 def test_forces_follow_from_the_second_derivative():

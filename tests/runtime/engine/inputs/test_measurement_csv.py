@@ -85,15 +85,11 @@ def test_all_faults_of_a_file_come_at_once_with_their_lines_and_long_lists_are_c
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("a [m],b [m]\n1,2\n2,3\n", "one time column"),
-        ("t [s],time [s]\n1,2\n2,3\n", "t, time among"),
-        ("t [m],b [m]\n1,2\n2,3\n", "a unit of time"),
-        ("t [s],b [m],b [m]\n1,2,3\n2,3,4\n", "2 columns of this name"),
-        ("t [s],b [m]\n1,2\n", "two or more"),
-        ("t [s],b [m]\n1,\n2,nan\n", "no sample"),
-        ("# only this\n", "no lines"),
+        ("a [m],b [m]\n1,2\n2,3\n", "one time column"), ("t [s],time [s]\n1,2\n2,3\n", "t, time among"),
+        ("t [m],b [m]\n1,2\n2,3\n", "a unit of time"), ("t [s],b [m],b [m]\n1,2,3\n2,3,4\n", "2 columns of this name"),
+        ("t [s],b [m]\n1,2\n", "two or more"), ("t [s],b [m]\n1,\n2,nan\n", "no sample"), ("# only this\n", "no lines"),
     ],
-)
+)  # fmt: skip
 def test_headings_and_sizes_are_checked(tmp_path, text, expected):
     assert any(expected in fault for fault in faults_of(tmp_path, text))
 
@@ -111,14 +107,8 @@ def test_an_unknown_column_and_an_unreadable_file_are_refused(tmp_path):
 
 @pytest.mark.parametrize(
     ("times", "values", "unit"),
-    [
-        ([0, 1], [1], "m"),
-        ([0, 0], [1, 2], "m"),
-        ([1, 0], [1, 2], "m"),
-        ([0, np.nan], [1, 2], "m"),
-        ([0, 1], [1, 2], "furlong"),
-    ],
-)
+    [([0, 1], [1], "m"), ([0, 0], [1, 2], "m"), ([1, 0], [1, 2], "m"), ([0, np.nan], [1, 2], "m"), ([0, 1], [1, 2], "furlong")],
+)  # fmt: skip
 def test_a_record_refuses_to_exist_if_it_is_wrong(times, values, unit):
     with pytest.raises(InputError):
         Measurement(np.array(times), {"x": np.array(values)}, {"x": unit})

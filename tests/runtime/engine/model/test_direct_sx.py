@@ -15,23 +15,17 @@ def nodes(function: Any) -> list[Any]:
     """Return the operations of a function with what they read and write, and its numbers."""
     return [
         (
-            function.instruction_id(k),
-            function.instruction_input(k),
-            function.instruction_output(k),
+            function.instruction_id(k), function.instruction_input(k), function.instruction_output(k),
             function.instruction_constant(k) if function.instruction_id(k) == ca.OP_CONST else None,
         )
         for k in range(function.n_instructions())
-    ]
+    ]  # fmt: skip
 
 
 OPERATIONS = {
-    "sum": lambda x, y: x + y,
-    "difference": lambda x, y: x - y,
-    "product": lambda x, y: x * y,
-    "quotient": lambda x, y: x / y,
-    "power": lambda x, y: x**y,
-    "mixed": lambda x, y: -(2.5 * x - y) * ca.sqrt(x) / (1 - y / x) + ca.if_else(x < y, x, 3 * y),
-}
+    "sum": lambda x, y: x + y, "difference": lambda x, y: x - y, "product": lambda x, y: x * y, "quotient": lambda x, y: x / y,
+    "power": lambda x, y: x**y, "mixed": lambda x, y: -(2.5 * x - y) * ca.sqrt(x) / (1 - y / x) + ca.if_else(x < y, x, 3 * y),
+}  # fmt: skip
 
 
 @each("operation", OPERATIONS.values())

@@ -21,12 +21,10 @@ from hertzwerk.runtime.loading import engine_model
 
 TEXT = Path(pendulum.__file__).read_text(encoding="utf-8")
 ALTERED = {
-    "a number": ("9.81", "9.80"),
-    "a table": ("UNCHECKED = CONTRADICTIONS =", "UNCHECKED ="),
-    "the last line": ("\n\n\ndef landmarks", "\n\n\n\ndef landmarks"),
-    "its digest": ('DIGEST = "', 'DIGEST = "0'),
+    "a number": ("9.81", "9.80"), "a table": ("UNCHECKED = CONTRADICTIONS =", "UNCHECKED ="),
+    "the last line": ("\n\n\ndef landmarks", "\n\n\n\ndef landmarks"), "its digest": ('DIGEST = "', 'DIGEST = "0'),
     "no digest": ('DIGEST = "', 'DIGESTS = "'),
-}
+}  # fmt: skip
 
 
 def imported(path):

@@ -48,12 +48,10 @@ def test_show_prints_markdown_or_json_and_writes_nothing(hertzwerk):
 @pytest.mark.parametrize(
     ("arguments", "found"),
     [
-        (("--show", "--check"), "--check"),
-        (("--show", "--out", "somewhere"), "--out"),
-        (("--json",), "--json without --show"),
+        (("--show", "--check"), "--check"), (("--show", "--out", "somewhere"), "--out"), (("--json",), "--json without --show"),
         (("--show", "no_scene", "nor_this"), "nor_this"),
     ],
-)
+)  # fmt: skip
 def test_bad_input_says_so(hertzwerk, arguments, found):
     result = hertzwerk("derive", "bouncing_ball", *arguments, code=2)
     assert found in result.stderr

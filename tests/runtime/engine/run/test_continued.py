@@ -37,12 +37,9 @@ def assert_bitwise(whole, *parts):
 
 RUNS = [
     *(("slider_crank", method, "6 ms", {}) for method in ("dop853", "auto", "dopri5", "esdirk", "rodas")),
-    pytest.param("incline_lugre", "dop853", "5 ms", {}, marks=pytest.mark.exhaustive),
-    ("incline_lugre", "auto", "0.1 s", {}),
-    ("incline_coulomb", "dop853", "0.2 s", {}),
-    ("spatial_slider_crank", "dop853", "20 ms", {}),
-    ("yielding_ball", "dop853", "0.8 s", {}),
-]
+    pytest.param("incline_lugre", "dop853", "5 ms", {}, marks=pytest.mark.exhaustive), ("incline_lugre", "auto", "0.1 s", {}),
+    ("incline_coulomb", "dop853", "0.2 s", {}), ("spatial_slider_crank", "dop853", "20 ms", {}), ("yielding_ball", "dop853", "0.8 s", {}),
+]  # fmt: skip
 
 
 @pytest.mark.by_turns(2)

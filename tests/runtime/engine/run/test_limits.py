@@ -192,10 +192,8 @@ def test_the_remedy_of_a_stall_names_a_method_once_and_not_its_own(monkeypatch):
 def sphere():
     """A sphere 4.3 mm deep in an inclined plane that opens: its force is released, and it is pressed anew."""
     mass, inertia, radius = (
-        hd.Parameter("mass", "kg", 0.0129),
-        hd.Parameter("inertia", "kg m^2", 2.91e-4),
-        hd.Parameter("radius", "m", 0.0855),
-    )
+        hd.Parameter("mass", "kg", 0.0129), hd.Parameter("inertia", "kg m^2", 2.91e-4), hd.Parameter("radius", "m", 0.0855),
+    )  # fmt: skip
     body = hd.Body("ball", mass=mass, inertia=inertia)
     plane = hd.SphereOnPlane("floor", body.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), hd.Direction((-0.3948, 1, 0)))
     return hd.Scene(
@@ -239,15 +237,11 @@ def test_auto_leaves_a_chatter_within_the_tolerance():
         hd.Mechanism("chattering_ball", (hd.Prismatic("fall", hd.GROUND, body, axis=hd.Y),), (floor,)),
         (
             hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), direction=-hd.Y),
-            hd.Contact(
-                "floor",
-                power(hd.Parameter("stiffness", "N/m", 1.5e8), 1),
-                gonthier(hd.Parameter("restitution", "1", 0.62)),
-            ),
+            hd.Contact("floor", power(hd.Parameter("stiffness", "N/m", 1.5e8), 1), gonthier(hd.Parameter("restitution", "1", 0.62))),
         ),
         hd.Scales(length=radius, speed=hd.Parameter("pace", "m/s", 30)),
         hd.Start(position={"fall": radius + hd.Parameter("height", "mm", 1)}),
-    )
+    )  # fmt: skip
     run = simulate(load(scene), duration="0.3 s", tolerance=1e-3, compiled=False, max_steps=3000)
     assert run.outcome.finished
     assert run.engine.final["fall.travel"] == pytest.approx(0.011 - 0.114 * 9.81 / 1.5e8, abs=1e-9)

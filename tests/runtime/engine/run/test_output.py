@@ -23,13 +23,11 @@ from hertzwerk.runtime.engine.solution.history import History
 
 built = cache(load)  # with its functions, for all tests here
 CASES = {
-    "bouncing_ball": {"duration": "2 s", "tolerance": 1e-8},
-    "slider_crank": {"duration": "24 ms", "tolerance": 1e-6},
+    "bouncing_ball": {"duration": "2 s", "tolerance": 1e-8}, "slider_crank": {"duration": "24 ms", "tolerance": 1e-6},
     "squeezed": {"duration": "0.1 s", "tolerance": 1e-9},
     "resting": {"duration": "5 s", "tolerance": 1e-6, "method": "auto", "parameters": {"restitution": 0.3}},
-    "rodas": {"duration": "1 s", "method": "rodas"},
-    "cvodes": {"duration": "0.452 s", "method": "cvodes", "tolerance": 1e-4},
-}
+    "rodas": {"duration": "1 s", "method": "rodas"}, "cvodes": {"duration": "0.452 s", "method": "cvodes", "tolerance": 1e-4},
+}  # fmt: skip
 
 
 def run(case, **options):
@@ -135,16 +133,10 @@ def test_at_the_time_of_an_event_a_grid_has_the_state_just_after_it_also_across_
 @pytest.mark.parametrize(
     ("output", "times"),
     [
-        (3, [0, 0.015, 0.03]),
-        (np.int64(2), [0, 0.03]),
-        ("10 ms", [0, 0.01, 0.02, 0.03]),
-        ("20 ms", [0, 0.02, 0.03]),
-        ("30 ms", [0, 0.03]),
-        ([0.0, 1e-3, 0.03], [0, 1e-3, 0.03]),
-        ((2e-3,), [2e-3]),
-        (np.array([0.029, 0.03]), [0.029, 0.03]),
+        (3, [0, 0.015, 0.03]), (np.int64(2), [0, 0.03]), ("10 ms", [0, 0.01, 0.02, 0.03]), ("20 ms", [0, 0.02, 0.03]), ("30 ms", [0, 0.03]),
+        ([0.0, 1e-3, 0.03], [0, 1e-3, 0.03]), ((2e-3,), [2e-3]), (np.array([0.029, 0.03]), [0.029, 0.03]),
     ],
-)
+)  # fmt: skip
 def test_the_forms_of_a_grid(output, times):
     grid = simulate(built("soft_ball"), duration="30 ms", grid=output, tolerance=1e-6)
     assert grid.t == pytest.approx(times, rel=1e-15)
@@ -202,12 +194,8 @@ def test_a_run_that_stops_early_returns_the_points_it_reached_and_nothing_betwee
             grid.at(times)
     for output in (None, 11):
         run = simulate(
-            built("bouncing_ball"),
-            duration="1 s",
-            grid=output,
-            initial={"vertical.travel": "-1e300 m"},
-            tolerance=1e-6,
-        )
+            built("bouncing_ball"), duration="1 s", grid=output, initial={"vertical.travel": "-1e300 m"}, tolerance=1e-6,
+        )  # fmt: skip
         assert run.outcome.name == "not_finite"
         assert run.energy_residual is None
         assert len(run.impacts) == len(run.t) == 1

@@ -27,14 +27,8 @@ def test_an_output_that_is_an_array_is_refused_with_the_first_row(compiled, work
         InputError, match=r"functions: found output heights returned an array of shape \(\d+,\); expected a number"
     ):
         simulate_many(
-            BALL,
-            sets,
-            duration="0.5 s",
-            tolerance=1e-6,
-            workers=workers,
-            compiled=compiled,
-            functions={"heights": heights},
-        )
+            BALL, sets, duration="0.5 s", tolerance=1e-6, workers=workers, compiled=compiled, functions={"heights": heights},
+        )  # fmt: skip
     assert len(recorded) <= 1  # in this process
 
 

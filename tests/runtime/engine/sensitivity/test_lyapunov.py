@@ -51,11 +51,9 @@ class Lorenz(hd.JointEffect):
 
 def block(*effects, pairs=(), axis=hd.X, **start):
     return hd.Scene(
-        hd.Mechanism("block", (hd.Prismatic("slide", hd.GROUND, BLOCK, axis=axis),), pairs),
-        effects=effects,
-        start=hd.Start(**start),
+        hd.Mechanism("block", (hd.Prismatic("slide", hd.GROUND, BLOCK, axis=axis),), pairs), effects=effects, start=hd.Start(**start),
         scales=hd.Scales(length=hd.Parameter("size", "m", 1), speed=hd.Parameter("speed_scale", "m/s", 1)),
-    )
+    )  # fmt: skip
 
 
 MASS = hd.Parameter("mass", "kg", 2)
@@ -107,14 +105,11 @@ def test_through_impacts_they_add_up_to_the_divergence():
     floor = hd.SphereOnPlane("floor", BLOCK.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), normal=hd.Y)
     model = engine_model(
         block(
-            hd.Gravity("gravity", gravity, direction=-hd.Y),
-            hd.Contact("floor", power(hd.Parameter("stiffness", "N/m^1.5", 1e7), n=1.5)),
-            hd.JointForce("drag", "slide", -drag * hd.speed_of("slide")),
-            pairs=(floor,),
-            axis=hd.Y,
+            hd.Gravity("gravity", gravity, direction=-hd.Y), hd.Contact("floor", power(hd.Parameter("stiffness", "N/m^1.5", 1e7), n=1.5)),
+            hd.JointForce("drag", "slide", -drag * hd.speed_of("slide")), pairs=(floor,), axis=hd.Y,
             position={"slide": hd.Parameter("height", "m", 1)},
         )
-    )
+    )  # fmt: skip
     run = simulate(model, duration="4 s", tolerance=1e-11, compiled=False)
     assert len(run.impacts) > 3
     last = run.lyapunov(2).local.sum(axis=1)

@@ -252,15 +252,10 @@ def test_many_derivatives_are_those_of_each_alone(crank):
 )
 def test_a_jump_without_one_of_its_terms_is_wrong(scene, left_out, monkeypatch, crank, sliding):
     model, to, state, how = {
-        "dashpot": (
-            engine_model("bouncing_ball", laws=DASHPOT),
-            "drop_height",
-            "floor.dissipated",
-            {"duration": "1 s"},
-        ),
+        "dashpot": (engine_model("bouncing_ball", laws=DASHPOT), "drop_height", "floor.dissipated", {"duration": "1 s"}),
         "crank": (crank, "clearance", "guide.travel", {"duration": "0.5 ms"}),
         "sliding": (sliding, "slide", "along_0.travel", {"duration": "1 s", "changes": {"slide": 1.0}}),
-    }[scene]
+    }[scene]  # fmt: skip
     right = made(model, tolerance=1e-10, **how).sensitivities(to)[state, to]
     events = changes_along_run.events_of
     monkeypatch.setattr(changes_along_run, "events_of", lambda *of: left_out(events(*of)))
@@ -324,10 +319,8 @@ def test_events_at_one_instant_that_would_part_have_no_derivative():
 
 def pair_of_balls():
     mass, radius, height = (
-        hd.Parameter("mass", "kg", 1),
-        hd.Parameter("radius", "m", 0.1),
-        hd.Parameter("height", "m", 1),
-    )
+        hd.Parameter("mass", "kg", 1), hd.Parameter("radius", "m", 0.1), hd.Parameter("height", "m", 1),
+    )  # fmt: skip
     joints, pairs, contacts = [], [], []
     for name in ("left", "right"):
         ball = hd.Body(f"{name}_ball", mass=mass)
@@ -398,14 +391,10 @@ def test_a_ball_that_rests_in_space_has_derivatives():
     floor = hd.SphereOnPlane("floor", ball.at(0, 0, 0), r, hd.GROUND.at(0, 0, 0), normal=hd.Y)
     declared = hd.Scene(
         hd.Mechanism("resting", (hd.Free("free", hd.GROUND, ball),), (floor,)),
-        (
-            hd.Gravity("gravity", g, direction=-hd.Y),
-            hd.Contact("floor", power(K, 1.5)),
-            hd.Friction("rub", "floor", law),
-        ),
+        (hd.Gravity("gravity", g, direction=-hd.Y), hd.Contact("floor", power(K, 1.5)), hd.Friction("rub", "floor", law)),
         hd.Scales(hd.Parameter("depth", "mm", 0.1), hd.Parameter("pace", "m/s", 1.0), arm=r),
         hd.Start(position={"free.y": r - (m * g / K) ** sp.Rational(2, 3)}),
-    )
+    )  # fmt: skip
     run = simulate(engine_model(declared), duration=0.01, tolerance=1e-10)
     derivatives = run.sensitivities("K", "mu")
     assert derivatives.reason == ""

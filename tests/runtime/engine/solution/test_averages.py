@@ -93,12 +93,8 @@ ROUND = 2 * (APART / SPEED + closed_forms.collision(STIFFNESS, 1, MASS, SPEED).d
 @pytest.fixture(scope="module")
 def between_walls():
     return simulate(
-        engine_model("ball_between_walls"),
-        duration=40 * ROUND,
-        tolerance=1e-9,
-        parameters={"restitution": 1.0},
-        compiled=False,
-    )
+        engine_model("ball_between_walls"), duration=40 * ROUND, tolerance=1e-9, parameters={"restitution": 1.0}, compiled=False,
+    )  # fmt: skip
 
 
 def test_a_ball_between_walls(between_walls):
@@ -172,10 +168,8 @@ def test_a_run_on_a_grid_has_the_averages_of_its_steps(crank, block, monkeypatch
     assert 9 in {average.blocks for average in kept.values()}  # some may be correlated: the motion is chaotic
     for name, average in named(grid).items():
         assert (average.blocks, average.block, average.reason) == (
-            kept[name].blocks,
-            kept[name].block,
-            kept[name].reason,
-        )
+            kept[name].blocks, kept[name].block, kept[name].reason,
+        )  # fmt: skip
         assert average.mean == pytest.approx(kept[name].mean, rel=1e-12)
         assert (average.half_width or 0) == pytest.approx(kept[name].half_width or 0, rel=1e-9)
     assert named(grid, interval="24 ms").keys() == kept.keys()
@@ -206,13 +200,11 @@ def test_the_transient_is_left_out(crank):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"interval": "5 mm"}, "interval: found '5 mm'"),
-        ({"interval": -1.0}, "interval: found -1.0"),
-        ({"skip": True}, "skip: found True"),
+        ({"interval": "5 mm"}, "interval: found '5 mm'"), ({"interval": -1.0}, "interval: found -1.0"), ({"skip": True}, "skip: found True"),
         ({"interval": "1 s"}, "interval: found 1 s; expected at most the run's 0.12 s"),
         ({"skip": "1 s"}, "skip: found 1 s; expected less than the run's 0.12 s"),
     ],
-)
+)  # fmt: skip
 def test_bad_input(crank, options, message):
     with pytest.raises(InputError, match=message):
         crank.averages(**options)

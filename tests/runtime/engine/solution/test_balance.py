@@ -42,10 +42,8 @@ def test_masses_moved_by_drives_or_dampers_count():
     cart = hd.Body("cart", MASS)
     body, other = hd.Prismatic("one", hd.GROUND, cart, hd.X), hd.Prismatic("two", cart, hd.Body("load", MASS), hd.X)
     effects = (
-        hd.ConstantSpeed("drive", "one", SPEED),
-        hd.JointDamper("damper", "two", hd.Parameter("damping", "N s/m", 20.0)),
-        hd.EnergyLedger(),
-    )
+        hd.ConstantSpeed("drive", "one", SPEED), hd.JointDamper("damper", "two", hd.Parameter("damping", "N s/m", 20.0)), hd.EnergyLedger(),
+    )  # fmt: skip
     scene = hd.Scene(
         hd.Mechanism("towed", (body, other)), effects, hd.Scales(length=L, speed=SPEED), hd.Start(speed={"two": -SPEED})
     )

@@ -33,13 +33,8 @@ def found(model):
     sums = solution.engine.findings.sums()
     error = solve(model, replace(SETTINGS, tolerance=None, accuracy=1e-3), {}, {}).error
     return (
-        error.values.tolist(),
-        solution.impacts,
-        solution.energy_residual,
-        sums.impulse.tolist(),
-        sums.largest.tolist(),
-        solution.warnings,
-    )
+        error.values.tolist(), solution.impacts, solution.energy_residual, sums.impulse.tolist(), sums.largest.tolist(), solution.warnings,
+    )  # fmt: skip
 
 
 @pytest.mark.skipif(not available(), reason="no C compiler")

@@ -31,18 +31,13 @@ def crank_run():
     r, length = hd.Parameter("r", "m", R), hd.Parameter("l", "m", L)
     crank = hd.Body("crank", hd.Parameter("crank_mass", "kg", MC), hd.Parameter("crank_inertia", "kg m^2", 1e-4))
     rod = hd.Body(
-        "rod",
-        hd.Parameter("rod_mass", "kg", MR),
-        hd.Parameter("rod_inertia", "kg m^2", JR),
-        centre=(hd.Parameter("s", "m", S), 0, 0),
-    )
+        "rod", hd.Parameter("rod_mass", "kg", MR), hd.Parameter("rod_inertia", "kg m^2", JR), centre=(hd.Parameter("s", "m", S), 0, 0),
+    )  # fmt: skip
     slider = hd.Body("slider", hd.Parameter("slider_mass", "kg", MS), hd.Parameter("slider_inertia", "kg m^2", 1e-4))
     joints = (
-        hd.Revolute("main", hd.GROUND, crank, axis=hd.Z),
-        hd.Revolute("knee", crank.at(r, 0, 0), rod, axis=hd.Z),
-        hd.Revolute("wrist", rod.at(length, 0, 0), slider, axis=hd.Z),
-        hd.Prismatic("guide", hd.GROUND, slider, axis=hd.X),
-    )
+        hd.Revolute("main", hd.GROUND, crank, axis=hd.Z), hd.Revolute("knee", crank.at(r, 0, 0), rod, axis=hd.Z),
+        hd.Revolute("wrist", rod.at(length, 0, 0), slider, axis=hd.Z), hd.Prismatic("guide", hd.GROUND, slider, axis=hd.X),
+    )  # fmt: skip
     motor = hd.ConstantSpeed("motor", "main", hd.Parameter("speed", "rad/s", W))
     scene = hd.Scene(
         hd.Mechanism("ideal_crank", joints),
@@ -110,11 +105,9 @@ def test_a_slide_beyond_a_turn_is_held_by_a_force_and_a_couple_that_do_no_work()
     """x = 0.1 cosh(w t): the force across is 2 m w x'; about the axis, which the drive turns, the joint has no moment."""
     bead = hd.Body("bead", hd.Parameter("bead_mass", "kg", 0.2), hd.Parameter("bead_inertia", "kg m^2", 1e-4))
     scene = hd.Scene(
-        hd.Mechanism("polar", (Polar("arm", hd.GROUND, bead),)),
-        (hd.ConstantSpeed("drive", "arm.angle", hd.Parameter("w", "rad/s", 3.0)),),
-        hd.Scales(hd.Parameter("size", "m", 0.1), hd.Parameter("pace", "m/s", 1.0)),
-        hd.Start({"arm.travel": hd.Parameter("x_0", "m", 0.1)}),
-    )
+        hd.Mechanism("polar", (Polar("arm", hd.GROUND, bead),)), (hd.ConstantSpeed("drive", "arm.angle", hd.Parameter("w", "rad/s", 3.0)),),
+        hd.Scales(hd.Parameter("size", "m", 0.1), hd.Parameter("pace", "m/s", 1.0)), hd.Start({"arm.travel": hd.Parameter("x_0", "m", 0.1)}),
+    )  # fmt: skip
     run = simulate(engine_model(scene), duration=0.7, tolerance=1e-11)
     x, across = 0.1 * np.cosh(3 * run.t), 0.2 * 2 * 3 * 0.3 * np.sinh(3 * run.t)
     assert run["arm.reaction_x"] == pytest.approx(-np.sin(3 * run.t) * across, abs=1e-8)
@@ -173,22 +166,16 @@ def test_contact_force_is_a_vector_that_moves_the_slider(rattling):
 def carried(run, other):
     """Histories of a model in absolute coordinates at the states of a run in joint coordinates."""
     there, here, model = (
-        simulate(other, duration=1e-9, tolerance=1e-3).engine.history,
-        run.engine.history,
-        run.engine.model,
-    )
+        simulate(other, duration=1e-9, tolerance=1e-3).engine.history, run.engine.history, run.engine.model,
+    )  # fmt: skip
     rows, bound = np.repeat(there.rows[:1], len(here.rows), axis=0), other.bind()
     for i, (t, y, mode, m, friction) in enumerate(
         zip(*map(here.part, ("t", "y", "mode", "m", "friction")), strict=True)
     ):
         q, u = other.evaluate("placed", float(t[0]), y[: model.nq], y[model.nq : model.nq + model.nu], bound.c)
         given = {
-            "t": t,
-            "y": np.concatenate([q, u, y[model.nq + model.nu :]]),
-            "mode": mode,
-            "m": m,
-            "friction": friction,
-        }
+            "t": t, "y": np.concatenate([q, u, y[model.nq + model.nu :]]), "mode": mode, "m": m, "friction": friction,
+        }  # fmt: skip
         given["dy"] = np.array(flow(other).rates(t, given["y"], mode, m, bound.c)).ravel()
         for name, values in given.items():
             rows[i, there.columns(name)] = values

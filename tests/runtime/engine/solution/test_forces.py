@@ -15,10 +15,8 @@ pytestmark = pytest.mark.by_turns(2)  # methods and coordinates that run the sam
 
 M, K, C, J, KAPPA = 2.0, 50.0, 0.7, 0.3, 4.0  # kg, N/m, N s/m, kg m^2, N m
 MASS, STIFFNESS, DAMPING = (
-    hd.Parameter("mass", "kg", M),
-    hd.Parameter("stiffness", "N/m", K),
-    hd.Parameter("damping", "N s/m", C),
-)
+    hd.Parameter("mass", "kg", M), hd.Parameter("stiffness", "N/m", K), hd.Parameter("damping", "N s/m", C),
+)  # fmt: skip
 INERTIA, TORSION = hd.Parameter("inertia", "kg m^2", J), hd.Parameter("torsion", "N m", KAPPA)
 SIZE, PACE = hd.Parameter("size", "m", 0.1), hd.Parameter("pace", "m/s", 1.0)
 FORCE, RATE = hd.Parameter("force", "N", 4.0), hd.Parameter("rate", "rad/s", 3.0)
@@ -47,10 +45,8 @@ def follower(drive, *effects):
     joints = (hd.Prismatic("rail", hd.GROUND, carriage, axis=hd.X), hd.Prismatic("slide", hd.GROUND, other, axis=hd.X))
     spring = hd.PointSpring("spring", carriage.at(0, 0, 0), other.at(0, 0, 0), STIFFNESS)
     return hd.Scene(
-        hd.Mechanism("follower", joints),
-        (drive, spring, *effects, hd.EnergyLedger()),
-        hd.Scales(length=SIZE, speed=PACE),
-    )
+        hd.Mechanism("follower", joints), (drive, spring, *effects, hd.EnergyLedger()), hd.Scales(length=SIZE, speed=PACE),
+    )  # fmt: skip
 
 
 def run(scene, duration, **options):
@@ -175,12 +171,10 @@ def test_states_of_a_drive_can_start_elsewhere():
 def test_the_ledger_closes_with_every_element_at_once():
     law = smooth_coulomb(hd.Parameter("mu", "1", 0.2), hd.Parameter("v_s", "m/s", 0.5))
     extra = (
-        SPRING,
-        DAMPER,
-        hd.JointForce("motor", "slide", FORCE * sp.cos(RATE * hd.T)),
+        SPRING, DAMPER, hd.JointForce("motor", "slide", FORCE * sp.cos(RATE * hd.T)),
         hd.JointFriction("friction", "slide", law, hd.Parameter("load", "N", 3.0)),
         hd.Potential("bowl", STIFFNESS * hd.coordinate_of("slide") ** 4 / SIZE**2),
-    )
+    )  # fmt: skip
     scene = follower(hd.Harmonic("drive", "rail", AMPLITUDE, RATE), hd.JointDamper("rails", "rail", DAMPING))
     result = run(
         hd.Scene(scene.mechanism, (*(e for e in scene.effects if e.name != "spring"), *extra), scene.scales), 10.0

@@ -43,10 +43,8 @@ def test_a_run_is_a_mapping_from_names_to_arrays_and_compares_by_identity(run):
 @pytest.mark.parametrize("key", [0, None, slice(3), ["vertical.travel"], ("a", "b", "c"), ("vertical.travel", 3), 1.5])
 def test_an_unknown_name_lists_those_that_exist(run, key):
     for request in (
-        lambda: run[key],
-        lambda: run.engine.history[key],
-        lambda: run.plot(*(key if isinstance(key, list) else (key,)), 0),
-    ):
+        lambda: run[key], lambda: run.engine.history[key], lambda: run.plot(*(key if isinstance(key, list) else (key,)), 0),
+    ):  # fmt: skip
         with pytest.raises(KeyError, match=r"no history .*there are t, vertical\.travel"):
             request()
 

@@ -155,11 +155,9 @@ def test_a_closed_loop_counts_beside_the_clearances():
     second, coupler = hd.Body("second", mass, inertia), hd.Body("coupler", mass, inertia, (base / 2, 0, 0))
     crank, radius = slider_crank.mechanism.joints[1].parent.body, slider_crank.mechanism.joints[1].parent.position[0]
     joints = (
-        *slider_crank.mechanism.joints,
-        hd.Revolute("second_bearing", hd.GROUND.at(base, 0, 0), second, hd.Z),
-        hd.Revolute("near", crank.at(radius, 0, 0), coupler, hd.Z),
-        hd.Revolute("far", second.at(radius, 0, 0), coupler.at(base, 0, 0), hd.Z),
-    )
+        *slider_crank.mechanism.joints, hd.Revolute("second_bearing", hd.GROUND.at(base, 0, 0), second, hd.Z),
+        hd.Revolute("near", crank.at(radius, 0, 0), coupler, hd.Z), hd.Revolute("far", second.at(radius, 0, 0), coupler.at(base, 0, 0), hd.Z),
+    )  # fmt: skip
     model = engine_model(replace(slider_crank, mechanism=replace(slider_crank.mechanism, joints=joints)))
     assert (model.nu, model.nl) == (4, 2)
     t = np.linspace(0, 0.009, 13)  # on both sides of the change points, where crank and base are in one line

@@ -35,10 +35,8 @@ def ideal_slider_crank() -> hd.Scene:
         hd.Mechanism(
             "ideal_slider_crank",
             (
-                hd.Revolute("bearing", hd.GROUND, crank, axis=hd.Z),
-                hd.Revolute("crank_pin", crank.at(r, 0, 0), rod, axis=hd.Z),
-                hd.Prismatic("guide", hd.GROUND, slider, axis=hd.X),
-                hd.Revolute("slider_pin", slider, rod.at(l, 0, 0), axis=hd.Z),
+                hd.Revolute("bearing", hd.GROUND, crank, axis=hd.Z), hd.Revolute("crank_pin", crank.at(r, 0, 0), rod, axis=hd.Z),
+                hd.Prismatic("guide", hd.GROUND, slider, axis=hd.X), hd.Revolute("slider_pin", slider, rod.at(l, 0, 0), axis=hd.Z),
             ),
         ),
         effects=(
@@ -47,7 +45,7 @@ def ideal_slider_crank() -> hd.Scene:
         ),
         start=hd.Start(position={"guide": r + l}),
         scales=hd.Scales(length=r, speed=r * w, arm=r),
-    )
+    )  # fmt: skip
 
 
 @pytest.fixture(scope="module", params=["tree", "absolute"])

@@ -19,11 +19,9 @@ TURN = 0.4
 def parts_of(body):
     """A body turned by 0.4 rad about z, projected."""
     scene = Scene(
-        Mechanism("shown", (Revolute("pin", GROUND, body, axis=Z),)),
-        (EnergyLedger(),),
-        Scales(length=R, speed=Parameter("pace", "m/s", 1), arm=R),
+        Mechanism("shown", (Revolute("pin", GROUND, body, axis=Z),)), (EnergyLedger(),), Scales(length=R, speed=Parameter("pace", "m/s", 1), arm=R),
         Start(position={"pin": Parameter("turn", "rad", TURN)}),
-    )
+    )  # fmt: skip
     model = load(scene)
     places = Places.at_start(model.engine, None, None)
     return model, Parts(places, view_of(places), Scale("m", 1.0))
@@ -37,16 +35,12 @@ def reach(outline, angle):
 @pytest.mark.parametrize(
     ("body", "along", "across"),
     [
-        (Body.box("it", L, R, H, mass=M), 0.4, 0.15),
-        (Body.cylinder("it", R, L, mass=M, axis=X), 0.4, 0.3),
-        (Body.sphere("it", R, mass=M), 0.3, 0.3),
-        (Body.cylinder("it", R, L, mass=M), 0.3, 0.3),
-        (Body.tube("it", R, H, L, mass=M, axis=Y), 0.3, 0.4),
-        (Body.cone("it", R, L, mass=M, axis=X), 0.6, 0.3),
-        (Body.rod("it", L, mass=M, axis=X), 0.4, 0.0),
+        (Body.box("it", L, R, H, mass=M), 0.4, 0.15), (Body.cylinder("it", R, L, mass=M, axis=X), 0.4, 0.3), (Body.sphere("it", R, mass=M), 0.3, 0.3),
+        (Body.cylinder("it", R, L, mass=M), 0.3, 0.3), (Body.tube("it", R, H, L, mass=M, axis=Y), 0.3, 0.4),
+        (Body.cone("it", R, L, mass=M, axis=X), 0.6, 0.3), (Body.rod("it", L, mass=M, axis=X), 0.4, 0.0),
     ],
     ids=lambda value: value.shapes[0].kind if isinstance(value, Body) else "",
-)
+)  # fmt: skip
 def test_outlines_are_those_of_the_turned_solid(body, along, across):
     model, parts = parts_of(body)
     mark = next(mark for mark in parts.places.landmarks if mark.kind.startswith("solid_"))

@@ -260,13 +260,8 @@ def test_boxes_and_spheres_on_solids_have_arrows_where_their_forces_act():
 
 @pytest.mark.parametrize(
     ("span", "slow", "said"),
-    [
-        (0.024, 500.0, "500 times slower"),
-        (5.0, 1.0, "Real time"),
-        (100.0, 0.1, "10 times faster"),
-        (1.0, 10.0, "10 times slower"),
-    ],
-)
+    [(0.024, 500.0, "500 times slower"), (5.0, 1.0, "Real time"), (100.0, 0.1, "10 times faster"), (1.0, 10.0, "10 times slower")],
+)  # fmt: skip
 def test_a_film_takes_about_eight_seconds_or_as_long_as_the_motion(span, slow, said):
     clock = Clock.of(0.0, span, 25, None, ".gif", [])
     assert (clock.slow, clock.pace()) == (slow, said)

@@ -57,10 +57,8 @@ def test_every_history_of_a_saved_run_is_near_the_motion(scene, tmp_path):
     times = np.linspace(0, run.engine.t_end, 3001)
     true, found = run.at(times), between(kept, times)
     for name in (
-        *run.engine.model.coordinates,
-        *run.engine.model.speeds,
-        *(f"{pair}.normal_force" for pair in run.engine.model.pairs),
-    ):
+        *run.engine.model.coordinates, *run.engine.model.speeds, *(f"{pair}.normal_force" for pair in run.engine.model.pairs),
+    ):  # fmt: skip
         size = max(float(np.ptp(run[name])), 1e-9)
         assert np.max(np.abs(found[name] - true[name])) < 5e-3 * size, name
 

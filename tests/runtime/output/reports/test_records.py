@@ -19,16 +19,11 @@ TABLE = {"name": "t", "title": "Table", "header": [["a", "m/s^2"], ["b", ""]]}
 TABLE |= {"rows": [[2.5, HOSTILE], [None, "y"], [1.25, "z"]]}
 FIGURES = ("Figure", "f.svg", HOSTILE), ("Away", "../away.svg", "")
 STUDY = {
-    "title": f"A title {HOSTILE}",
-    "question": HOSTILE,
-    "command": f"hertzwerk study '{HOSTILE}'",
-    "versions": {HOSTILE: HOSTILE},
-    "paragraphs": [HOSTILE],
-    "lacking": [f"`{HOSTILE}` {HOSTILE}"],
-    "verdicts": [{"text": f"x: 1 {HOSTILE}", "source": HOSTILE, "holds": holds} for holds in (True, False, None)],
-    "tables": [TABLE],
+    "title": f"A title {HOSTILE}", "question": HOSTILE, "command": f"hertzwerk study '{HOSTILE}'", "versions": {HOSTILE: HOSTILE},
+    "paragraphs": [HOSTILE], "lacking": [f"`{HOSTILE}` {HOSTILE}"],
+    "verdicts": [{"text": f"x: 1 {HOSTILE}", "source": HOSTILE, "holds": holds} for holds in (True, False, None)], "tables": [TABLE],
     "figures": [dict(zip(("title", "path", "note"), each, strict=True)) for each in FIGURES],
-}
+}  # fmt: skip
 
 
 @pytest.fixture

@@ -168,13 +168,10 @@ def test_bad_input_is_one_error_with_all_faults(ball, tmp_path, walls):
 @pytest.mark.parametrize(
     ("rows", "fault"),
     [
-        ("1,0.1\n3,0.4\n", None),
-        ("1,0.1\n1,0.4\n", "the number 1, again"),
-        ("1.5,0.1\n", "a whole number of an impact"),
-        ("2,0.1\n1,0.4\n", "numbers that increase"),
-        (",0.1\n", "no number"),
+        ("1,0.1\n3,0.4\n", None), ("1,0.1\n1,0.4\n", "the number 1, again"), ("1.5,0.1\n", "a whole number of an impact"),
+        ("2,0.1\n1,0.4\n", "numbers that increase"), (",0.1\n", "no number"),
     ],
-)
+)  # fmt: skip
 def test_tables_of_impacts(tmp_path, rows, fault):
     file = tmp_path / "impacts.csv"
     file.write_text(f"impact [1],t [s]\n{rows}", encoding="utf-8")

@@ -11,11 +11,8 @@ from hertzwerk.runtime.studies.fitting.law_ranking import ranked, split_laws
 
 NOISE = {"v": "0.01 m/s", "f": "100 N"}
 HOW = {
-    "free": {"restitution": (0.3, 1)},
-    "starts": 0,
-    "map": {"v": "impacts.speed", "f": "impacts.peak_force"},
-    "profile": False,
-}
+    "free": {"restitution": (0.3, 1)}, "starts": 0, "map": {"v": "impacts.speed", "f": "impacts.peak_force"}, "profile": False,
+}  # fmt: skip
 
 
 FALLS = {

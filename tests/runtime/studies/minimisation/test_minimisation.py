@@ -102,13 +102,9 @@ def test_a_motion_that_the_parameter_changes():
 
 def test_a_formula_is_read_and_never_executed(yoke):
     for bad, why in (
-        ("__import__('os')", "expected"),
-        ("bearing.reaction_x.rms + counterweight", "N"),
-        ("bearing.reaction_x.rms.real()", "bearing"),
-        ("2", "name of an output"),
-        ("bearing.reaction_z9.rms", "sweep output"),
-        (3, "formula"),
-    ):
+        ("__import__('os')", "expected"), ("bearing.reaction_x.rms + counterweight", "N"), ("bearing.reaction_x.rms.real()", "bearing"),
+        ("2", "name of an output"), ("bearing.reaction_z9.rms", "sweep output"), (3, "formula"),
+    ):  # fmt: skip
         with pytest.raises(InputError, match=why):
             minimise(yoke, bad, {"counterweight": "0.01..5 kg"}, **TURN)
     faults = []

@@ -49,12 +49,8 @@ def test_columns_are_drawn_in_the_units_of_the_axes():
 
 
 @pytest.mark.parametrize(
-    ("name", "unit", "said"),
-    [
-        ("guide.acceleration", "m/s", "a unit like km/s^2"),
-        ("rod.acceleration", "m/s^2", "some of guide.acceleration"),
-    ],
-)
+    ("name", "unit", "said"), [("guide.acceleration", "m/s", "a unit like km/s^2"), ("rod.acceleration", "m/s^2", "some of guide.acceleration")],
+)  # fmt: skip
 def test_an_overlay_that_does_not_fit_is_refused(name, unit, said):
     study = Study("own", "Why?", lambda *_: pytest.fail("it ran"), {"guide.acceleration": "km/s^2"})
     with pytest.raises(InputError) as refused:

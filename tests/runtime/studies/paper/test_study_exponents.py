@@ -41,12 +41,10 @@ def test_newton_is_found_for_three_halves_alone(impacts):
 @pytest.mark.parametrize(
     ("fault", "seen"),
     [
-        (lambda i: replace(i, unit=replace(i.unit, consistent=True)), 0),
-        (lambda i: replace(i, unit=replace(i.unit, in_mm=1.0)), 1),
-        (lambda i: replace(i, depth=i.depth * (1 + 1e-5)), 2),
-        (lambda i: replace(i, restitution=i.restitution + 1e-5), 3),
+        (lambda i: replace(i, unit=replace(i.unit, consistent=True)), 0), (lambda i: replace(i, unit=replace(i.unit, in_mm=1.0)), 1),
+        (lambda i: replace(i, depth=i.depth * (1 + 1e-5)), 2), (lambda i: replace(i, restitution=i.restitution + 1e-5), 3),
     ],
-)
+)  # fmt: skip
 def test_a_fault_in_the_numbers_fails_its_verdict(impacts, fault, seen):
     assert verdicts([fault(impacts[0]), *impacts[1:]]) == [k != seen for k in range(4)]
 

@@ -37,12 +37,8 @@ def test_long_runs_finish_and_their_energy_is_balanced(cases):
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("fault", "seen"),
-    [
-        ({"outcome": "step_too_small"}, [False, True]),
-        ({"residual": 1e-4}, [True, False]),
-        ({"residual": float("nan")}, [True, False]),
-    ],
-)
+    [({"outcome": "step_too_small"}, [False, True]), ({"residual": 1e-4}, [True, False]), ({"residual": float("nan")}, [True, False])],
+)  # fmt: skip
 def test_a_fault_in_one_case_fails_its_verdict(cases, fault, seen):
     assert holds(study._case_verdicts([replace(cases[0], **fault), *cases[1:]], PLAN)) == seen
 

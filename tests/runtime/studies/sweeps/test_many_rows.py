@@ -98,10 +98,8 @@ def test_points_of_a_definition_are_those_that_it_was_written_from():
     lists = {"drop_height": ["0.7 m", "55 cm", (0.1 + 0.2, "m")], "restitution": [0.5, 1 / 3, 0.7]}
     for over, how in (
         ({"drop_height": "0.5..1.5 m:1000", "mass": "1e-3..2 kg:7 log"}, {}),
-        ({"drop_height": "0.5..1.5 m", "mass": "1e-3..2 kg log"}, {"sample": 16, "sampler": "sobol", "seed": 3}),
-        (lists, {"zip": True}),
-        (lists, {}),
-    ):
+        ({"drop_height": "0.5..1.5 m", "mass": "1e-3..2 kg log"}, {"sample": 16, "sampler": "sobol", "seed": 3}), (lists, {"zip": True}), (lists, {}),
+    ):  # fmt: skip
         faults = []
         design = replace(read_design(over, faults=faults, **how), fixed={"radius": (21.0, "mm"), "gravity": "9,81"})
         assert not faults

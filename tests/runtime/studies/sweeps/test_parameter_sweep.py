@@ -51,12 +51,9 @@ def test_outputs_of_contacts_are_those_of_the_impacts(crank):
     run = simulate(crank, parameters={"clearance": "0.2 mm"}, compiled=False, **CRANK)
     forces = [impact.peak_force for impact in run.impacts]
     assert row.outputs == {
-        "impacts": len(forces),
-        "peak_force": max(forces),
-        "slider_pin.impacts": len(forces),
-        "slider_pin.peak_force": max(forces),
+        "impacts": len(forces), "peak_force": max(forces), "slider_pin.impacts": len(forces), "slider_pin.peak_force": max(forces),
         "slider_pin.max_penetration": max(impact.peak_penetration for impact in run.impacts),
-    }
+    }  # fmt: skip
 
 
 def test_statistics_have_the_interval_of_the_run(crank):

@@ -102,13 +102,9 @@ def test_rows_whose_numbers_would_change_are_computed_anew(ball, tmp_path, count
     sweep("bouncing_ball", over, **how)
     computed()
     for change in (
-        {"laws": {"floor": "hunt_crossley"}},
-        {"tolerance": 1e-7},
-        {"duration": "1 s"},
-        {"parameters": {"radius": "21 mm"}},
-        {"outputs": ["impacts"]},
+        {"laws": {"floor": "hunt_crossley"}}, {"tolerance": 1e-7}, {"duration": "1 s"}, {"parameters": {"radius": "21 mm"}}, {"outputs": ["impacts"]},
         {"functions": {"n": lambda run: height(run) + 1}},
-    ):
+    ):  # fmt: skip
         with pytest.raises(InputError, match="as of the sweep there"):
             sweep("bouncing_ball", over, **{**how, **change})
         sweep("bouncing_ball", over, widen=True, **{**how, **change})

@@ -95,12 +95,8 @@ def test_no_trough_of_an_oscillation_is_stepped_over(method, depth):
     """x = 1 - depth + cos(7 t) but for the contacts, whose force is negligible: it dips below the surface once per period."""
     model = point(lambda d, v, v0: 1e-12 * d, push=lambda t, x, v: -49 * ca.cos(7 * t))
     run = simulate(
-        model,
-        duration=20.0,
-        tolerance=1e-11,
-        method=method,
-        initial={"path.travel": f"{2 - depth!r} m", "path.speed": "0 m/s"},
-    )
+        model, duration=20.0, tolerance=1e-11, method=method, initial={"path.travel": f"{2 - depth!r} m", "path.speed": "0 m/s"},
+    )  # fmt: skip
     half = math.acos(1 - depth)
     expected = [(math.pi * (2 * i + 1) - half) / 7 for i in range(22)]
     assert [impact.t for impact in run.impacts] == pytest.approx(expected, abs=1e-9 / half)
@@ -113,12 +109,8 @@ def test_a_ball_that_leaves_the_surface_returns_to_it_within_one_long_step(metho
         lambda d, v, v0: 1e8 * d * (1 + 0 * v), push=lambda t, x, v: -9.81 + 0 * t, scales=(1e-3, 1.0, 1e3, 1.0)
     )
     run = simulate(
-        model,
-        duration=0.0105,
-        tolerance=1e-9,
-        method=method,
-        initial={"path.travel": "0 m", "path.speed": "1e-3 m/s"},
-    )
+        model, duration=0.0105, tolerance=1e-9, method=method, initial={"path.travel": "0 m", "path.speed": "1e-3 m/s"},
+    )  # fmt: skip
     assert run.outcome.finished
     onsets = [impact.t for impact in run.impacts]
     assert len(onsets) > 10
@@ -131,10 +123,8 @@ def test_a_ball_that_leaves_the_surface_returns_to_it_within_one_long_step(metho
 def test_released_and_pressed_in_again_is_in_contact_again(method):
     """A force that pulls the point out of the law's reach, then a constant push back before the gap has opened."""
     model = point(
-        lambda d, v, v0: 1e4 * d * (1 + v),
-        push=lambda t, x, v: ca.if_else(t < 0.0305, 2000 * t, -400.0),
-        scales=(1e-2, 1.0, 100.0, 1.0),
-    )
+        lambda d, v, v0: 1e4 * d * (1 + v), push=lambda t, x, v: ca.if_else(t < 0.0305, 2000 * t, -400.0), scales=(1e-2, 1.0, 100.0, 1.0),
+    )  # fmt: skip
     run = simulate(
         model, duration=0.3, tolerance=1e-8, method=method, initial={"path.travel": "-0.05 m", "path.speed": "0.99 m/s"}
     )
@@ -205,10 +195,8 @@ def test_a_force_that_flattens_as_it_runs_out_is_landed_on():
         return ca.if_else(t < 3e-4, -1, ca.if_else(t < 8e-4, -push, pull))
 
     pulled = point(
-        lambda d, v, speed: K * d**1.5 * (1 + c * v / speed),
-        push=lambda t, x, v: outer(t),
-        scales=(1e-5, 0.1, 100, 1e-3),
-    )
+        lambda d, v, speed: K * d**1.5 * (1 + c * v / speed), push=lambda t, x, v: outer(t), scales=(1e-5, 0.1, 100, 1e-3),
+    )  # fmt: skip
     for start in (1.7185929648241205e-06, 1.7587939698492463e-06, 1.919597989949749e-06):
         parameters = {"x0": f"{start!r} m", "v0": f"{-v0} m/s"}
         run = simulate(pulled, duration="1.8 ms", tolerance=1e-6, parameters=parameters, method="dopri5")
@@ -237,10 +225,8 @@ def test_grazes_and_forces_within_rounding_are_not_located():
     at, run = vectors.state.split(ca.DM(history.rows[0])), vectors.controls.split(ca.DM(history.controls))
     small = LANDING * 1e-9 * float(run["scales"][2])
     for gap, force_rate, least in (
-        (-1e-9, 0.0, 60 / 1e-9 * np.spacing(1.0)),
-        (-1e-3, 1e12, 1e12 * np.spacing(0.5)),
-        (-1e-3, 0.0, small),
-    ):
+        (-1e-9, 0.0, 60 / 1e-9 * np.spacing(1.0)), (-1e-3, 1e12, 1e12 * np.spacing(0.5)), (-1e-3, 0.0, small),
+    ):  # fmt: skip
         at |= {"t": ca.DM(0.5), "gap": ca.DM(gap), "force": ca.DM(60), "force_rate": ca.DM(force_rate)}
         assert small <= least <= float(tolerances(model, run, at)[2]) < 20 * least
 
@@ -287,10 +273,8 @@ def test_a_force_that_falls_through_zero_and_returns_within_a_step_ends_its_cont
 def test_a_released_contact_that_closes_for_a_moment_within_a_step_is_a_contact_again(method):
     """Opening speed .04 (t - .5)^2 - 4e-7, in closed form until it is zero. On the old code no step saw it."""
     model = point(
-        lambda d, v, v0: 1e-4 * d * (1 + v / 0.005),
-        push=lambda t, x, v: 0.08 * (t - 0.5),
-        scales=(0.1, 0.1, 1e-3, 1e-3),
-    )
+        lambda d, v, v0: 1e-4 * d * (1 + v / 0.005), push=lambda t, x, v: 0.08 * (t - 0.5), scales=(0.1, 0.1, 1e-3, 1e-3),
+    )  # fmt: skip
     start = {"x0": "-0.1 m", "v0": f"{0.01 - 4e-7} m/s"}
     run = simulate(model, duration="1 s", parameters=start, tolerance=1e-9, method=method, compiled=False)
     assert run["surface.mode"][0] == 2

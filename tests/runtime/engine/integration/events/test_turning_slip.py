@@ -66,12 +66,8 @@ def test_the_method_that_passes_is_the_implicit_one(sliding):
 
 
 LOOSE = {  # of that body: when it breaks loose, and where it is .0232 s later, by `reference.body_on_plane`
-    "x": 0.0538538319372,
-    "y": -0.039724814041,
-    "angular_speed_x": -21.5811443097,
-    "angular_speed_y": -16.42904481,
-    "angular_speed_z": 0.185090485791,
-}
+    "x": 0.0538538319372, "y": -0.039724814041, "angular_speed_x": -21.5811443097, "angular_speed_y": -16.42904481, "angular_speed_z": 0.185090485791,
+}  # fmt: skip
 
 
 @each("method", ["dopri5", "dop853"])

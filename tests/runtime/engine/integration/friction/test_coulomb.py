@@ -113,10 +113,8 @@ FEET = 0.2  # m, from the middle
 def sledge(angle=0.0, *, rocks=False, speed=0.0):
     """A body on two feet, 2 kg, on a plane on a heavy ramp; with `rocks` it may turn too."""
     weight, radius, alpha = (
-        hd.Parameter("mass", "kg", 2),
-        hd.Parameter("radius", "m", 0.05),
-        hd.Parameter("slope", "rad", angle),
-    )
+        hd.Parameter("mass", "kg", 2), hd.Parameter("radius", "m", 0.05), hd.Parameter("slope", "rad", angle),
+    )  # fmt: skip
     gravity, stiffness = hd.Parameter("gravity", "m/s^2", GRAVITY), hd.Parameter("stiffness", "N/m", STIFFNESS)
     inertia, foot = hd.Parameter("inertia", "kg m^2", 0.03), hd.Parameter("foot", "m", FEET)
     ramp = hd.Body("ramp", mass=weight, inertia=hd.Parameter("ramp_inertia", "kg m^2", 1e16))
@@ -135,14 +133,10 @@ def sledge(angle=0.0, *, rocks=False, speed=0.0):
         effects.append(hd.Contact(name, power(stiffness, 1), kelvin_voigt(hd.Parameter("restitution", "1", 0.2))))
         effects.append(hd.Friction(f"{name}_rub", name, dry(mu_s=0.3)))
     return hd.Scene(
-        hd.Mechanism("sledge", tuple(joints), tuple(pairs)),
-        tuple(effects),
+        hd.Mechanism("sledge", tuple(joints), tuple(pairs)), tuple(effects),
         hd.Scales(length=hd.Parameter("depth", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 1), arm=radius),
-        hd.Start(
-            position={"up": radius - weight * gravity / (2 * stiffness), "tilt": -alpha},
-            speed={"along": hd.Parameter("slide", "m/s", speed)},
-        ),
-    )
+        hd.Start(position={"up": radius - weight * gravity / (2 * stiffness), "tilt": -alpha}, speed={"along": hd.Parameter("slide", "m/s", speed)}),
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -115,11 +115,9 @@ def test_a_drawer_jams_whatever_pulls_it_and_a_wedge_locks_itself():
     rubs = hd.JointFriction("rubs", "slide", DRY, length=length)
     model = load(
         hd.Scene(
-            hd.Mechanism("drawer", (hd.Prismatic("slide", hd.GROUND, drawer, axis=hd.X),)),
-            (pull, rubs, hd.EnergyLedger()),
-            SCALES,
+            hd.Mechanism("drawer", (hd.Prismatic("slide", hd.GROUND, drawer, axis=hd.X),)), (pull, rubs, hd.EnergyLedger()), SCALES,
         )
-    )
+    )  # fmt: skip
     limit = 0.1 / (2 * 0.2)
     for force in (1e-3, 1e4):
         jams = simulate(model, duration=0.1, tolerance=1e-9, parameters=mu((1 + 1e-6) * limit, F=(force, "N")))
@@ -132,11 +130,9 @@ def test_a_drawer_jams_whatever_pulls_it_and_a_wedge_locks_itself():
     slope = hd.Prismatic("slide", hd.GROUND.at(0, 0, 0).turned(hd.Z, p("alpha", "rad", 0.3)), block, axis=hd.X)
     model = load(
         hd.Scene(
-            hd.Mechanism("wedge", (slope,)),
-            (DOWN, hd.JointFriction("rubs", "slide", DRY, length=length), hd.EnergyLedger()),
-            SCALES,
+            hd.Mechanism("wedge", (slope,)), (DOWN, hd.JointFriction("rubs", "slide", DRY, length=length), hd.EnergyLedger()), SCALES,
         )
-    )
+    )  # fmt: skip
     for share, moves in ((1 + 1e-9, 0), (1 - 1e-6, 1e-6 * G * np.sin(0.3)), (0.5, 0.5 * G * np.sin(0.3))):
         run = simulate(model, duration=0.1, tolerance=1e-9, parameters=mu(share * np.tan(0.3)))
         assert run["slide.acceleration"][-1] == pytest.approx(-moves, rel=1e-6, abs=1e-15)
@@ -185,13 +181,11 @@ def post(feeds, *, box=False):
         else hd.SphereOnPlane("floor", place, radius, ground, normal=hd.Y)
     )
     effects = (
-        DOWN,
-        hd.Contact("floor", hd.laws.power(p("K", "N/m^1.5", 1e6), 1.5), hd.laws.flores(e=p("e", "1", 0.3))),
+        DOWN, hd.Contact("floor", hd.laws.power(p("K", "N/m^1.5", 1e6), 1.5), hd.laws.flores(e=p("e", "1", 0.3))),
         hd.Friction("grip", "floor", hd.laws.coulomb(mu_k=p("mu", "1", 0.4), mu_s=p("mu_s", "1", 0.4))),
-        hd.JointForce("push", "slide", p("push", "N", 3)),
-        hd.JointForce("fed", "slide", feeds * p("k", "1", 0.5) * hd.reaction_of("post")),
+        hd.JointForce("push", "slide", p("push", "N", 3)), hd.JointForce("fed", "slide", feeds * p("k", "1", 0.5) * hd.reaction_of("post")),
         hd.EnergyLedger(),
-    )
+    )  # fmt: skip
     deep = (G / (2 if box else 1) / 1e6) ** (2 / 3)
     start = hd.Start(position={"post": radius - p("sink", "m", deep)})
     return load(hd.Scene(hd.Mechanism("post", joints, (stands,)), effects, SCALES, start))
@@ -301,10 +295,8 @@ def test_unsupported_friction_is_refused_by_name():
     ball = hd.Body("ball", p("mass", "kg", M), inertia=(p("J", "kg m^2", J),) * 3)
     with pytest.raises(hd.InputError, match="law coulomb"):
         hd.Scene(
-            hd.Mechanism("ball", (hd.Spherical("socket", hd.GROUND, ball),)),
-            (hd.BallFriction("rubs", "socket", DRY, radius),),
-            SCALES,
-        )
+            hd.Mechanism("ball", (hd.Spherical("socket", hd.GROUND, ball),)), (hd.BallFriction("rubs", "socket", DRY, radius),), SCALES,
+        )  # fmt: skip
     driven = (
         hd.ConstantSpeed("motor", "hinge", p("w", "rad/s", 1)),
         hd.JointFriction("bearing", "hinge", DRY, radius=radius),

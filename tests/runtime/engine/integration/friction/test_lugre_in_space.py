@@ -133,12 +133,9 @@ def driven():
     scales = hd.Scales(length=hd.Parameter("depth", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 1), arm=radius)
     return engine_model(
         hd.Scene(
-            hd.Mechanism("driven", joints, (pair,)),
-            effects,
-            scales,
-            hd.Start(position={"y": radius - mass * gravity / stiffness}),
+            hd.Mechanism("driven", joints, (pair,)), effects, scales, hd.Start(position={"y": radius - mass * gravity / stiffness}),
         )
-    )
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize(("speed", "way"), [(0.01, 0.3), (0.05, 2.0), (0.3, -1.1)])
@@ -195,13 +192,9 @@ def two_balls(**coordinates):
     scales = hd.Scales(length=hd.Parameter("depth", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 1), arm=radius)
     return engine_model(
         hd.Scene(
-            hd.Mechanism("two_balls", (hd.Free("flight", hd.GROUND, upper),), (pair,)),
-            effects,
-            scales,
-            start,
-            **coordinates,
+            hd.Mechanism("two_balls", (hd.Free("flight", hd.GROUND, upper),), (pair,)), effects, scales, start, **coordinates,
         )
-    )
+    )  # fmt: skip
 
 
 def test_bristles_stay_in_the_tangent_plane_that_tilts():

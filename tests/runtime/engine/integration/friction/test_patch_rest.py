@@ -106,11 +106,8 @@ def test_it_sets_off_where_the_limit_surface_is_reached(ratio):
     """Under a force and a moment that grow in proportion: not where either alone would slide, and not where an ellipsoid ends."""
     force, moment = shares(ratio)
     given = {
-        "slide": "0 m/s",
-        "spin": "0 rad/s",
-        "push_rise": (WEIGHT * force, "N/s"),
-        "twist_rise": (WEIGHT * RIM * moment, "N m/s"),
-    }
+        "slide": "0 m/s", "spin": "0 rad/s", "push_rise": (WEIGHT * force, "N/s"), "twist_rise": (WEIGHT * RIM * moment, "N m/s"),
+    }  # fmt: skip
     run = simulate(pushed(), duration="1.05 s", method="dop853", tolerance=1e-9, parameters=given)
     moves = np.flatnonzero(run["rub.slip"])
     assert run.t[moves[0]] == pytest.approx(1, rel=1e-5)

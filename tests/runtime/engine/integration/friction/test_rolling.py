@@ -16,10 +16,8 @@ BOTH = ("tree", "absolute")
 EXACT = 1e-9
 m, r, g = hd.Parameter("m", "kg", 2.0), hd.Parameter("r", "m", 0.3), hd.Parameter("g", "m/s^2", 9.81)
 turn, still, pull = (
-    hd.Parameter("turn", "rad/s", 2.0),
-    hd.Parameter("still", "m/s", 0.0),
-    hd.Parameter("unturned", "rad/s", 0.0),
-)
+    hd.Parameter("turn", "rad/s", 2.0), hd.Parameter("still", "m/s", 0.0), hd.Parameter("unturned", "rad/s", 0.0),
+)  # fmt: skip
 slope, pace, mu = hd.Parameter("slope", "rad", 0.4), hd.Parameter("pace", "m/s", 1.0), hd.Parameter("mu", "1", 0.2)
 DOWNHILL = hd.Gravity("gravity", g, direction=hd.Direction((sp.sin(slope), -sp.cos(slope), 0)))
 
@@ -238,11 +236,9 @@ def test_every_fault_of_rolling_and_edges_is_reported_at_once():
             hd.RollingWithoutSlip("other", "nothing"), hd.KnifeEdge("skate", body.at(0, 0, 0), hd.X, on=body),
         )  # fmt: skip
     assert [(fault.where, fault.found) for fault in error.value.faults] == [
-        ("effect tyre", "track at the same pair"),
-        ("effect other", "pair 'nothing'"),
-        ("effect skate", "an edge of wheel on wheel"),
+        ("effect tyre", "track at the same pair"), ("effect other", "pair 'nothing'"), ("effect skate", "an edge of wheel on wheel"),
         ("effect tyre, coefficient", "-1"),
-    ]
+    ]  # fmt: skip
     body = hd.Body("sleigh", m, m * r**2)
     edge = hd.KnifeEdge("skate", body.at(0, 0, 0), hd.X, on="ice")
     with pytest.raises(hd.InputError, match="effect skate, on: found 'ice'; expected a Body or GROUND"):

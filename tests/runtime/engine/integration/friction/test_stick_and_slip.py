@@ -64,11 +64,8 @@ def test_who_sticks_may_hold_more_than_it_slides_with_and_changing_all_at_once_a
 @pytest.mark.parametrize("static", [0.3, 0.4])
 def test_a_chain_comes_to_rest(static):
     parameters = {
-        "friction_coefficient": 0.3,
-        "static_coefficient": static,
-        "stiffness": (1e7, "N/m^1.5"),
-        "restitution": 0.5,
-    }
+        "friction_coefficient": 0.3, "static_coefficient": static, "stiffness": (1e7, "N/m^1.5"), "restitution": 0.5,
+    }  # fmt: skip
     options = {"duration": 1, "tolerance": 1e-6, "parameters": parameters, "compiled": False, "max_steps": 20_000}
     run = simulate(engine_model(falling_chain(3)), method="dopri5", **options)
     changes = sum(int(np.sum(np.diff(run[f"corner_{i}.slip"]) != 0)) for i in range(4))

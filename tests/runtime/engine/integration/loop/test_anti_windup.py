@@ -88,15 +88,12 @@ def test_a_command_at_its_limit_does_not_wind_up():
 @pytest.mark.parametrize(
     ("fields", "message"),
     [
-        ({"limit": p("high", "V", 3)}, "control, limit: found high"),
-        ({"limit": p("high", "N m", -3)}, "limit"),
-        ({"limit": (p("low", "N m", 3), p("high", "N m", 1))}, "the least command first"),
-        ({"limit": "3 N m"}, "the largest command, or"),
-        ({"limit": (1, 2, 3)}, "the largest command, or"),
-        ({"limit": None, "tracking": 0.1}, "a limit beside it"),
+        ({"limit": p("high", "V", 3)}, "control, limit: found high"), ({"limit": p("high", "N m", -3)}, "limit"),
+        ({"limit": (p("low", "N m", 3), p("high", "N m", 1))}, "the least command first"), ({"limit": "3 N m"}, "the largest command, or"),
+        ({"limit": (1, 2, 3)}, "the largest command, or"), ({"limit": None, "tracking": 0.1}, "a limit beside it"),
         ({"tracking": -0.1}, "tracking time"),
     ],
-)
+)  # fmt: skip
 def test_limits_that_are_none_are_refused(fields, message):
     with pytest.raises(hd.InputError, match=message):
         scene(**fields)

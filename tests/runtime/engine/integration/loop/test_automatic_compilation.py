@@ -134,14 +134,11 @@ def test_a_compiler_is_not_started_that_cannot_pay_within_the_limit(crank, clock
 
 # Files of the C of built-in scenes, each its level and length [MB], and the processor's time that GCC 12 took of them all [s].
 MEASURED = {
-    "bouncing_ball": ((("-O3", 0.082), ("-O1", 0.014)), 1.15),
-    "slider_crank by both methods": ((("-O3", 0.241), ("-O1", 0.024)), 3.5),
-    "newtons_cradle": ((("-O3", 0.264), ("-O1", 0.057)), 4.7),
-    "bicycle": ((("-O3", 0.173), ("-O1", 0.012)), 4.0),
+    "bouncing_ball": ((("-O3", 0.082), ("-O1", 0.014)), 1.15), "slider_crank by both methods": ((("-O3", 0.241), ("-O1", 0.024)), 3.5),
+    "newtons_cradle": ((("-O3", 0.264), ("-O1", 0.057)), 4.7), "bicycle": ((("-O3", 0.173), ("-O1", 0.012)), 4.0),
     "bicycle by both methods": ((("-O3", 0.386), ("-O3", 0.273), ("-O1", 0.024)), 18.0),
-    "translational_clearance": ((("-O3", 0.326), ("-O1", 0.059)), 6.1),
-    "ball_bearing": ((("-O3", 0.241), ("-O1", 0.033)), 5.9),
-}
+    "translational_clearance": ((("-O3", 0.326), ("-O1", 0.059)), 6.1), "ball_bearing": ((("-O3", 0.241), ("-O1", 0.033)), 5.9),
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", MEASURED)

@@ -100,14 +100,8 @@ def _random_vectors(rng, name):
         a, b = (part[:n] if rng.random() < 0.8 else part[part.numel() - n :] for part in (a, b))
         number = float(rng.normal())
         made = [
-            a + b,
-            a - number * b,
-            h * a + b,
-            a * number,
-            b / (2 + a * a),
-            ca.fmax(a, b),
-            ca.if_else(a < b, number * a, b),
-        ]
+            a + b, a - number * b, h * a + b, a * number, b / (2 + a * a), ca.fmax(a, b), ca.if_else(a < b, number * a, b),
+        ]  # fmt: skip
         known.append(made[rng.integers(len(made))])
     return ca.Function(name, [x, h], [*known[-3:], ca.vertcat(*(part[:2] for part in known[::7]))])
 

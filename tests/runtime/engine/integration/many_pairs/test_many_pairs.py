@@ -185,13 +185,10 @@ def linear(B):
     model = point()
     names = [f"path_{i}" for i in range(n)]
     model.module.__dict__.update(
-        PARAMETERS=(("speed", "m/s", 1.0, "of each"),),
-        COORDINATES=tuple((f"{name}.travel", "m") for name in names),
-        SPEEDS=tuple((f"{name}.speed", "m/s") for name in names),
-        start=lambda p: (ca.SX.zeros(n), p[0] * ca.SX(range(1, n + 1))),
-        scales=lambda p: (ca.SX.ones(n), ca.SX.ones(n), ca.SX(0, 1), ca.SX.ones(4)),
-        applied=lambda t, q, u, c: ca.mtimes(ca.DM(B), u),
-    )
+        PARAMETERS=(("speed", "m/s", 1.0, "of each"),), COORDINATES=tuple((f"{name}.travel", "m") for name in names),
+        SPEEDS=tuple((f"{name}.speed", "m/s") for name in names), start=lambda p: (ca.SX.zeros(n), p[0] * ca.SX(range(1, n + 1))),
+        scales=lambda p: (ca.SX.ones(n), ca.SX.ones(n), ca.SX(0, 1), ca.SX.ones(4)), applied=lambda t, q, u, c: ca.mtimes(ca.DM(B), u),
+    )  # fmt: skip
     return EngineModel(model.module)
 
 

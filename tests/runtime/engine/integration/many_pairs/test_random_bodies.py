@@ -122,16 +122,12 @@ def test_a_wrong_judgement_is_found():
     good = Finding(body_of(0), 1e-6, "finished", 5e-7, 4e-7, 1e-13, 100, 100)
     assert not good.faults
     for wrong, words in (
-        ({"truth": 1.01e-6}, "over"),
-        ({"truth": math.nan}, "over"),
-        ({"estimate": 4e-8}, "estimate"),
-        ({"estimate": math.nan}, "estimate"),
-        ({"steps": 301}, "3.01 times the steps"),
-        ({"outcome": "stalled"}, "stalled without a reason"),
+        ({"truth": 1.01e-6}, "over"), ({"truth": math.nan}, "over"), ({"estimate": 4e-8}, "estimate"), ({"estimate": math.nan}, "estimate"),
+        ({"steps": 301}, "3.01 times the steps"), ({"outcome": "stalled"}, "stalled without a reason"),
         ({"outcome": "too_many_steps"}, "too_many_steps without a reason"),
         ({"outcome": "accuracy_unreachable", "rounding": math.nan}, "accuracy_unreachable without a reason"),
         ({"remark": "ValueError"}, "ValueError"),
-    ):
+    ):  # fmt: skip
         assert any(actual.startswith(words) for actual in replace(good, **wrong).faults), wrong
     assert not replace(good, outcome="accuracy_unreachable", rounding=2e-9).faults
     assert not replace(good, outcome="accuracy_unreachable", doubles=2e-7).faults

@@ -44,14 +44,10 @@ def ball_among_walls():
     normals = [(math.cos(x), math.sin(x)) for x in np.arange(WALLS) * 2 * math.pi / WALLS]
     walls = [
         hd.SphereOnPlane(
-            f"wall_{i}",
-            ball.at(0, 0, 0),
-            radius,
-            plane=hd.GROUND.at(-x * room, -y * room, 0),
-            normal=hd.Direction((x, y, 0)),
+            f"wall_{i}", ball.at(0, 0, 0), radius, plane=hd.GROUND.at(-x * room, -y * room, 0), normal=hd.Direction((x, y, 0)),
         )
         for i, (x, y) in enumerate(normals)
-    ]
+    ]  # fmt: skip
     law = power(hd.Parameter("stiffness", "N/m^1.5", 1e7), n=1.5), flores(hd.Parameter("restitution", "1", 0.95))
     scene = hd.Scene(
         hd.Mechanism("ball_among_walls", (hd.Planar("flight", hd.GROUND, ball, normal=hd.Z),), tuple(walls)),

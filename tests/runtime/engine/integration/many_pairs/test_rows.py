@@ -28,11 +28,8 @@ def model_of(count):
 
 def solve(model, tolerance, duration, *, method="dop853", exponent=1.5, preload=0.0, last_speed=0.0):
     parameters = {
-        "exponent": exponent,
-        "stiffness": (1e8, f"N/m^{exponent:g}"),
-        "preload": (preload, "N"),
-        "last_speed": (last_speed, "m/s"),
-    }
+        "exponent": exponent, "stiffness": (1e8, f"N/m^{exponent:g}"), "preload": (preload, "N"), "last_speed": (last_speed, "m/s"),
+    }  # fmt: skip
     options = {"tolerance": tolerance, "method": method, "parameters": parameters, "compiled": False}
     return simulate(model, duration=duration, max_steps=100_000, **options)
 
@@ -93,12 +90,10 @@ def test_without_the_rounding_of_gaps_rows_end_nowhere(monkeypatch, method, tole
 # ---- rows ------------------------------------------------------------------------------------------------------------
 
 CASES = {
-    "struck": ((0.004, many.STRUCK[1.5]), {}),
-    "linear": ((0.002, many.STRUCK[1.0]), {"exponent": 1.0}),
-    "cubic": ((0.1, many.STRUCK[3.0]), {"exponent": 3.0}),
-    "pressed": ((0.004, many.PRESSED), {"preload": 100.0}),
+    "struck": ((0.004, many.STRUCK[1.5]), {}), "linear": ((0.002, many.STRUCK[1.0]), {"exponent": 1.0}),
+    "cubic": ((0.1, many.STRUCK[3.0]), {"exponent": 3.0}), "pressed": ((0.004, many.PRESSED), {"preload": 100.0}),
     "two waves": ((0.004, many.WAVES), {"last_speed": -1.0}),
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", CASES)

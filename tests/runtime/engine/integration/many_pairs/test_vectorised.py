@@ -107,10 +107,8 @@ def test_pairs_in_contact_alone_have_every_bit_of_all(number):
         fits = [counts[0] <= rung and (counts[1] <= rung or SPARSE * rung > 12) for rung in rungs]
         assert arguments[-1][0] == fits.index(True) if any(fits) else len(rungs)
         for function, given in (
-            (forces.contacts, arguments),
-            (forces.pushes, arguments),
-            (forces.rates, (*arguments, dy)),
-        ):
+            (forces.contacts, arguments), (forces.pushes, arguments), (forces.rates, (*arguments, dy)),
+        ):  # fmt: skip
             every = arrays(function, [len(rungs), *given])
             for rung in np.flatnonzero(fits):
                 assert all(np.array_equal(a, b) for a, b in zip(arrays(function, [rung, *given]), every, strict=True))
@@ -187,13 +185,11 @@ def plain(a, b, c):
 @pytest.mark.parametrize(
     "other",
     [
-        lambda a, b, c: ca.sqrt(a) * b - 2 * c,
-        lambda a, b, c: ca.sqrt(a) * b + 3 * c,
-        lambda a, b, c: ca.sqrt(a) * a + 2 * c,
+        lambda a, b, c: ca.sqrt(a) * b - 2 * c, lambda a, b, c: ca.sqrt(a) * b + 3 * c, lambda a, b, c: ca.sqrt(a) * a + 2 * c,
         lambda a, b, c: ca.cos(a) * b + 2 * c,
     ],
     ids=["operation", "constant", "the same leaf twice", "function"],
-)
+)  # fmt: skip
 def test_pairs_that_differ_are_of_another_kind(other):
     assert kinds(plain, plain, other, plain) == [[0, 1, 3], [2]]
 

@@ -84,22 +84,16 @@ def ball_chain() -> hd.Scene:
     position = {"shoulder.q0": hd.Parameter("q0", "1", 1.0), "shoulder.q3": hd.Parameter("q3", "1", 0.5)}
     scales = hd.Scales(length, hd.Parameter("pace", "m/s", 1.0), length)
     return hd.Scene(
-        hd.Mechanism("balls", joints),
-        (hd.Gravity("gravity", g, -hd.Y), hd.EnergyLedger()),
-        scales,
-        hd.Start(position, speed),
-    )
+        hd.Mechanism("balls", joints), (hd.Gravity("gravity", g, -hd.Y), hd.EnergyLedger()), scales, hd.Start(position, speed),
+    )  # fmt: skip
 
 
 CASES = {
-    "pendulum chain": (pendulum(3), 2.0, 1e-8),
-    "n-four-bar": (n_four_bar(2), 2.0, 1e-8),
+    "pendulum chain": (pendulum(3), 2.0, 1e-8), "n-four-bar": (n_four_bar(2), 2.0, 1e-8),
     "four-bar, assembled from one angle": (four_bar(0.5, 1.5, 1.2, 1.6, position={"main": rad(0.4)}), 2.0, 1e-8),
-    "four-bar, driven": (four_bar(0.5, 1.5, 1.2, 1.6, 2.0), 3.0, 1e-8),
-    "bricard, of slender rods": (bricard, 2.0, 1e-8),
-    "driven within": (driven_within(), 2.0, 1e-8),
-    "balls": (ball_chain(), 2.0, 1e-8),
-}
+    "four-bar, driven": (four_bar(0.5, 1.5, 1.2, 1.6, 2.0), 3.0, 1e-8), "bricard, of slender rods": (bricard, 2.0, 1e-8),
+    "driven within": (driven_within(), 2.0, 1e-8), "balls": (ball_chain(), 2.0, 1e-8),
+}  # fmt: skip
 
 
 @pytest.mark.by_turns(2)
@@ -171,11 +165,8 @@ def test_initial_values_are_those_of_the_joints():
     assert [run[f"post_{i}.angle"][0] for i in range(3)] == pytest.approx([-0.2] * 3, abs=1e-12)
     with pytest.raises(hd.InputError, match=r"foot_0\.angle"):
         simulate(
-            engine_model(n_four_bar(2).with_coordinates("absolute")),
-            duration=1e-3,
-            initial={"post_0.x": "1 m"},
-            tolerance=1e-6,
-        )
+            engine_model(n_four_bar(2).with_coordinates("absolute")), duration=1e-3, initial={"post_0.x": "1 m"}, tolerance=1e-6,
+        )  # fmt: skip
 
 
 @pytest.mark.parametrize(

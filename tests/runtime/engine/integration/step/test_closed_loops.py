@@ -37,11 +37,9 @@ def test_a_quick_return_turns_as_its_one_freedom_equation_says():
     inertias = (("crank", 4e-3), ("arm", 3e-2), ("block", 1e-3))
     crank, arm, block = (hd.Body(name, mass, hd.Parameter(f"J_{name}", "kg m^2", J)) for name, J in inertias)
     joints = (
-        hd.Revolute("main", hd.GROUND, crank, axis=hd.Z),
-        hd.Revolute("pivot", hd.GROUND.at(-base, 0, 0), arm, axis=hd.Z),
-        hd.Prismatic("slot", arm, block, axis=hd.X),
-        hd.Revolute("pin", crank.at(R, 0, 0), block, axis=hd.Z),
-    )
+        hd.Revolute("main", hd.GROUND, crank, axis=hd.Z), hd.Revolute("pivot", hd.GROUND.at(-base, 0, 0), arm, axis=hd.Z),
+        hd.Prismatic("slot", arm, block, axis=hd.X), hd.Revolute("pin", crank.at(R, 0, 0), block, axis=hd.Z),
+    )  # fmt: skip
     start = hd.Start(position={"slot": R + base}, speed={"main": W})
     model = engine_model(
         hd.Scene(hd.Mechanism("quick_return", joints), (hd.EnergyLedger(),), hd.Scales(R, R * W, R), start)
@@ -125,11 +123,9 @@ def test_after_a_thousand_turns_loops_are_closed_as_far_as_the_angles_are_known(
 
 def test_initial_values_count_as_given():
     run = simulate(
-        engine_model("n_four_bar"),
-        duration=1e-3,
-        initial={"left_1.angle": "0.2 rad", "foot_2.speed": "-1 rad/s", "foot_0.speed": "-1 rad/s"},
+        engine_model("n_four_bar"), duration=1e-3, initial={"left_1.angle": "0.2 rad", "foot_2.speed": "-1 rad/s", "foot_0.speed": "-1 rad/s"},
         tolerance=1e-6,
-    )
+    )  # fmt: skip
     assert [run[name][0] for name in run.engine.model.coordinates] == pytest.approx(
         [-0.2, -0.2, -0.2, 0.2, 0.2], abs=1e-12
     )
@@ -145,10 +141,8 @@ def test_too_much_too_little_and_speeds_that_tear_a_loop_are_refused_with_what_i
     assert "foot_0.angle, foot_1.angle" in fault.remedy
     with pytest.raises(InputError, match=r"over-determined: right_0 open by 2 m/s"):
         simulate(
-            engine_model(replace(n_four_bar(2), start=hd.Start(speed={"foot_0": -v / L, "foot_1": v / L}))),
-            duration=1.0,
-            tolerance=1e-6,
-        )
+            engine_model(replace(n_four_bar(2), start=hd.Start(speed={"foot_0": -v / L, "foot_1": v / L}))), duration=1.0, tolerance=1e-6,
+        )  # fmt: skip
     # Nothing given, and the zeros do not close the loop: one angle is missing.
     with pytest.raises(InputError) as error:
         simulate(engine_model(four_bar(0.5, 1.5, 1.2, 1.6)), duration=1.0, tolerance=1e-6)

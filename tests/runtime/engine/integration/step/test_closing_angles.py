@@ -35,18 +35,14 @@ def solid(name, mass, *inertia, centre=(0, 0, 0)):
 def cardan(*effects, closing=True, coordinates="tree", near=None, driven=True):
     """Two shafts at an angle joined by a universal joint, the second of which closes a loop: turned forward and back."""
     one, two, wheel = (
-        solid("one", 1, 0.02, 0.03, 0.025),
-        solid("two", 1, 0.02, 0.03, 0.025),
-        solid("wheel", 1, 0.1, 0.1, 0.1),
-    )
+        solid("one", 1, 0.02, 0.03, 0.025), solid("two", 1, 0.02, 0.03, 0.025), solid("wheel", 1, 0.1, 0.1, 0.1),
+    )  # fmt: skip
     cross = hd.Universal("cross", one, two, first=hd.Y, second=hd.Z)
     out = hd.Revolute("out", hd.GROUND.at(0, 0, 0).turned(hd.Z, p("beta", "rad", BETA)), two, axis=hd.X)
     loop = (cross, out) if closing else (out, cross)
     joints = (
-        hd.Revolute("inn", hd.GROUND, one, axis=hd.X),
-        *loop,
-        hd.Revolute("wheel", hd.GROUND.at(0, 0, p("aside", "m", 1)), wheel, axis=hd.X),
-    )
+        hd.Revolute("inn", hd.GROUND, one, axis=hd.X), *loop, hd.Revolute("wheel", hd.GROUND.at(0, 0, p("aside", "m", 1)), wheel, axis=hd.X),
+    )  # fmt: skip
     shake = (hd.Harmonic("shake", "inn", p("A", "rad", TURNED), frequency=p("w", "rad/s", 2)),) if driven else ()
     still = {} if driven else {"inn": p("still", "rad", 0)}
     start = hd.Start(position=still, near=near or {})
@@ -127,12 +123,10 @@ def loop(closing=True, coordinates="tree"):
     effects = (
         hd.Gravity("gravity", p("g", "m/s^2", 9.81), direction=-hd.Z),
         hd.JointSpring("spring", "hinge", p("k", "N m/rad", 5), rest=p("rest", "rad", 0.1)),
-        hd.JointSpring("soft", "cross.angle_1", p("k2", "N m/rad", 3)),
-        hd.JointDamper("damper", "cross.angle_2", p("c", "N m s/rad", 0.05)),
-        hd.JointForce("feed", "main", p("fed", "N m/rad", 0.2) * hd.coordinate_of("cross.angle_2")),
-        hd.CountedAngle("count", "main"),
+        hd.JointSpring("soft", "cross.angle_1", p("k2", "N m/rad", 3)), hd.JointDamper("damper", "cross.angle_2", p("c", "N m s/rad", 0.05)),
+        hd.JointForce("feed", "main", p("fed", "N m/rad", 0.2) * hd.coordinate_of("cross.angle_2")), hd.CountedAngle("count", "main"),
         hd.EnergyLedger(),
-    )
+    )  # fmt: skip
     start = hd.Start(position={"main": p("start", "rad", 0.4)}, speed={"main": p("turning", "rad/s", 9)}, near=near)
     return hd.Scene(
         hd.Mechanism("loop", (main, ball, *((cross, hinge) if closing else (hinge, cross)))), effects, SCALES, start
@@ -223,10 +217,8 @@ def test_an_angle_that_is_a_coordinate_is_not_counted_nor_one_that_nothing_reque
     spatial = hd.Revolute("turn", slide.child, solid("arm", 1, 0.1, 0.1, 0.1), axis=hd.X)
     flat = hd.Revolute("turn", slide.child, solid("arm", 1, 0.1, 0.1, 0.1), axis=hd.Z)
     for joint, key, found in (
-        (spatial, "slide", "slide, a travel"),
-        (flat, "turn", "turn, a plane angle"),
-        (spatial, "none", "joint 'none'"),
-    ):
+        (spatial, "slide", "slide, a travel"), (flat, "turn", "turn, a plane angle"), (spatial, "none", "joint 'none'"),
+    ):  # fmt: skip
         with pytest.raises(hd.InputError, match=found):
             hd.Scene(hd.Mechanism("arm", (slide, joint)), (hd.CountedAngle("count", key), hd.EnergyLedger()), SCALES)
     hd.Scene(

@@ -32,12 +32,10 @@ def effects(name, rack):
     angle, rate = hd.coordinate_of(name), hd.speed_of(name)
     found = (
         hd.Gravity("gravity", p("g", "m/s^2", 9.81), direction=-hd.Y),
-        hd.JointSpring("spring", name, p("k", "N m/rad", 20), rest=p("rest", "rad", 0.3)),
-        hd.JointDamper("damper", name, p("c", "N m s/rad", 0.4)),
+        hd.JointSpring("spring", name, p("k", "N m/rad", 20), rest=p("rest", "rad", 0.3)), hd.JointDamper("damper", name, p("c", "N m s/rad", 0.4)),
         hd.JointForce("load", "main", p("a", "N m/rad", 2) * angle - p("b", "N m s/rad", 0.1) * rate),
-        hd.Potential("well", p("w", "N m/rad^3", 3) * angle**4 / p("one", "rad", 1)),
-        hd.EnergyLedger(),
-    )
+        hd.Potential("well", p("w", "N m/rad^3", 3) * angle**4 / p("one", "rad", 1)), hd.EnergyLedger(),
+    )  # fmt: skip
     return (*found, hd.Coupling("rack_mesh", rack, name, ratio=p("radius", "m", 0.05))) if rack else found
 
 
@@ -97,10 +95,8 @@ def test_a_closing_travel_acts_as_that_of_a_joint_that_carries():
         guide = hd.Prismatic("guide", hd.GROUND.at(p("x", "m", 0.2), 0, 0), slider, axis=hd.X)
         spring = hd.JointSpring("spring", "guide", p("k", "N/m", 300), rest=p("rest", "m", 0.7))
         push = hd.JointForce(
-            "push",
-            "guide",
-            -p("c", "N s/m", 3) * hd.speed_of("guide") - p("k2", "N/m^2", 9) * hd.coordinate_of("guide") ** 2,
-        )
+            "push", "guide", -p("c", "N s/m", 3) * hd.speed_of("guide") - p("k2", "N/m^2", 9) * hd.coordinate_of("guide") ** 2,
+        )  # fmt: skip
         start = hd.Start(position={"main": p("start", "rad", 1.1)}, near={"knee": p("knee_start", "rad", -1.4)})
         joints = (main, knee, *((wrist, guide) if closing else (guide, wrist)))
         found.append(

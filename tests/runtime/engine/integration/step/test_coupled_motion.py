@@ -71,10 +71,8 @@ def test_a_geared_pair_has_the_inertia_of_both(coordinates):
 def test_an_offset_and_a_start_are_kept_and_a_coupling_stated_twice_holds_once(coordinates):
     """One angle and one speed are given, of different shafts; the others follow."""
     offset, given, turned = (
-        hd.Parameter("offset", "deg", 30),
-        hd.Parameter("given", "rad", 0.3),
-        hd.Parameter("w0", "rad/s", 0.6),
-    )
+        hd.Parameter("offset", "deg", 30), hd.Parameter("given", "rad", 0.3), hd.Parameter("w0", "rad/s", 0.6),
+    )  # fmt: skip
     mesh = replace(MESH, offset=offset)
     actual = run(gears(MOTOR, mesh, position={"wheel": given}, speed={"pinion": turned}), coordinates)
     assert actual["pinion.angle"][0] == pytest.approx(-0.9 + np.pi / 6, abs=1e-12)
@@ -105,10 +103,8 @@ def test_a_planetary_gear_obeys_willis(coordinates):
     rr = rs + 2 * rp
     sun, carrier, planet = hd.coordinate_of("wheel"), hd.coordinate_of("carrier"), hd.coordinate_of("planet")
     joints = (
-        WHEEL,
-        hd.Revolute("carrier", hd.GROUND, third, axis=hd.Z),
-        hd.Revolute("planet", third.at(rs + rp, 0, 0), pinion, axis=hd.Z),
-    )
+        WHEEL, hd.Revolute("carrier", hd.GROUND, third, axis=hd.Z), hd.Revolute("planet", third.at(rs + rp, 0, 0), pinion, axis=hd.Z),
+    )  # fmt: skip
     inner = hd.Coupling("inner", equation=(sun - carrier) * rs / rp + planet)
     actual = run(scene(joints, MOTOR, inner, hd.Coupling("outer", "planet", "carrier", -rr / rp)), coordinates)
     over = 1 / (1 + 0.2 / 0.1)  # Willis, carrier over sun
@@ -202,17 +198,12 @@ def test_a_rack_hits_a_stop_with_the_inertia_of_its_pinion(coordinates):
     joints = hd.Prismatic("rack", hd.GROUND, third, axis=hd.Y), WHEEL
     stop = hd.SphereOnPlane("stop", third.at(0, 0, 0), hd.Parameter("tip", "m", 0.02), hd.GROUND.at(0, -r, 0), hd.Y)
     effects = (
-        hd.Gravity("gravity", g, -hd.Y),
-        hd.Contact("stop", power(stiff, 1.5)),
-        hd.Coupling("mesh", "rack", "wheel", r),
-        hd.EnergyLedger(),
-    )
+        hd.Gravity("gravity", g, -hd.Y), hd.Contact("stop", power(stiff, 1.5)), hd.Coupling("mesh", "rack", "wheel", r), hd.EnergyLedger(),
+    )  # fmt: skip
     declared = hd.Scene(
-        hd.Mechanism("coupled", joints, (stop,)),
-        effects,
-        hd.Scales(r, pace, arm=r),
+        hd.Mechanism("coupled", joints, (stop,)), effects, hd.Scales(r, pace, arm=r),
         hd.Start(position={"rack": drop + hd.Parameter("tip", "m", 0.02) - r}),
-    )
+    )  # fmt: skip
     actual = run(declared, coordinates, duration=0.4)
     weight, both = 2.0 * 9.81, 2.0 + 0.2 / 0.4**2
     first = actual.impacts[0]

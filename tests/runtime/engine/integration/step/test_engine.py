@@ -37,13 +37,9 @@ def crank():
 def impact_alone(ball, method, **parameters):
     """The ball at the surface, DROP m/s, no gravity."""
     return simulate(
-        ball,
-        duration="1 ms",
-        tolerance=METHODS[method],
-        method=method,
-        parameters={"gravity": "0 m/s^2", **parameters},
+        ball, duration="1 ms", tolerance=METHODS[method], method=method, parameters={"gravity": "0 m/s^2", **parameters},
         initial={"vertical.travel": "0.1 m", "vertical.speed": f"{-DROP} m/s"},
-    )
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -65,12 +61,8 @@ def test_impact_of_two_bodies(ball, method, e):
 @pytest.mark.parametrize("e", [0.9, 0.5])
 def test_between_two_walls_bounce_by_bounce(method, e):
     run = simulate(
-        engine_model("ball_between_walls"),
-        duration="4 s",
-        tolerance=1e-12,
-        method=method,
-        parameters={"restitution": e},
-    )
+        engine_model("ball_between_walls"), duration="4 s", tolerance=1e-12, method=method, parameters={"restitution": e},
+    )  # fmt: skip
     h = closed_forms.factor("hunt_crossley", str(e))
     bounces = closed_forms.ball_between_walls("1e6", 1, "1.6", 10, h, 10, "0.4", "0.8")
     impacts = run.impacts[:10]
@@ -165,10 +157,8 @@ def test_a_start_that_leaves_the_surface_and_a_push_at_rest():
     # At rest steps grow; K = 9.81 N/m from x = -1 m, pushed by 0.1 N for 1.2 s of 10 s: it swings by 2 P/K sin(w 1.2/2) afterwards.
     k, push = 9.81, 0.1
     model = point(
-        lambda d, v, v0: k * d * (1 + 0 * v0),
-        push=lambda t, x, v: -k + ca.if_else((t > 5) * (t < 6.2), push, 0),
-        scales=(1.0, 1.0, 10.0, 1.0),
-    )
+        lambda d, v, v0: k * d * (1 + 0 * v0), push=lambda t, x, v: -k + ca.if_else((t > 5) * (t < 6.2), push, 0), scales=(1.0, 1.0, 10.0, 1.0),
+    )  # fmt: skip
     run = simulate(model, duration=10.0, tolerance=1e-8, initial={"path.travel": "-1 m"})
     assert np.max(np.abs(run["path.travel"][run.t < 5] + 1)) < 1e-12
     x, v = run.engine.final["path.travel"] + 1, run.engine.final["path.speed"]
@@ -192,11 +182,8 @@ def test_runs_of_one_model_side_by_side_do_not_disturb_each_other(ball):
 def squeezed(speed, duration):
     """The ball between walls that overlap it by 1 mm on either side, elastic."""
     return simulate(
-        engine_model("ball_between_walls"),
-        duration=duration,
-        tolerance=1e-11,
-        parameters={"gap": "-1 mm", "restitution": 1.0, "speed": speed},
-    )
+        engine_model("ball_between_walls"), duration=duration, tolerance=1e-11, parameters={"gap": "-1 mm", "restitution": 1.0, "speed": speed},
+    )  # fmt: skip
 
 
 def test_pairs_in_contact_at_once_and_one_that_opens_and_closes_while_the_other_is():
@@ -302,11 +289,8 @@ def test_an_exponent_goes_with_its_stiffness(ball):
     assert "stiffness" in faults_of(ball, parameters={"exponent": 1.1, "stiffness": "1e9 N/m^exponent"})
     assert "stiffness" in faults_of(ball, parameters={"stiffness": "1e9 N/m^1.1"})
     both = simulate(
-        ball,
-        duration="1 s",
-        parameters={"exponent": 1.1, "stiffness": "1e9 N/m^1.1", "restitution": 1.0},
-        tolerance=1e-6,
-    )
+        ball, duration="1 s", parameters={"exponent": 1.1, "stiffness": "1e9 N/m^1.1", "restitution": 1.0}, tolerance=1e-6,
+    )  # fmt: skip
     n, K = 1.1, 1e9
     depth = closed_forms.depth_with_gravity(K, n, 1, closed_forms.drop_speed(1, "9.81"), "9.81")
     assert both.impacts[0].peak_penetration == pytest.approx(depth, rel=1e-5)
@@ -340,15 +324,11 @@ def test_a_derived_constant_without_a_value_is_bad_input_and_geometry_that_can_j
     ("scene", "given", "found"),
     [
         ("slider_crank", {"clearance": "0.5 m"}, "-0.49 m, of bush_radius = 10 mm and clearance = 0.5 m"),
-        (
-            "slider_crank",
-            {"clearance": "6 mm", "bush_radius": "5 mm"},
-            "-0.001 m, of bush_radius = 5 mm and clearance = 6 mm",
-        ),
+        ("slider_crank", {"clearance": "6 mm", "bush_radius": "5 mm"}, "-0.001 m, of bush_radius = 5 mm and clearance = 6 mm"),
         ("ball_in_socket", {"clearance": "1 m"}, "-0.975 m, of clearance = 1 m and socket_radius = 25 mm"),
         ("ball_bearing", {"ball_diameter": "1 m"}, "ball_diameter = 1 m and clearance = "),
     ],
-)
+)  # fmt: skip
 def test_geometry_that_cannot_be_names_both_lengths(scene, given, found):
     """A pin, a ball or a race without a radius, with and without a law that would notice."""
     ((where, text), *_) = faults_of(engine_model(scene), parameters=given).items()

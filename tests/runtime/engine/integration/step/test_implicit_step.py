@@ -298,13 +298,9 @@ def swung():
     mass, inertia, reach, lift, pace = (
         hd.Parameter(*row)
         for row in (
-            ("mass", "kg", 1.0),
-            ("inertia", "kg m^2", 0.02),
-            ("reach", "m", 0.5),
-            ("lift", "rad", 0.4),
-            ("pace", "rad/s", 3.0),
+            ("mass", "kg", 1.0), ("inertia", "kg m^2", 0.02), ("reach", "m", 0.5), ("lift", "rad", 0.4), ("pace", "rad/s", 3.0),
         )
-    )
+    )  # fmt: skip
     upper, lower = (hd.Body(name, mass, (inertia, 2 * inertia, inertia), centre=(0, -reach, 0)) for name in "ab")
     joints = (hd.Revolute("hip", hd.GROUND, upper, hd.Z), hd.Revolute("knee", upper.at(0, -reach, 0), lower, hd.X))
     start = hd.Start(position={"hip": lift, "knee": lift}, speed={"hip": pace, "knee": pace})
@@ -440,11 +436,8 @@ def test_sundials_ends_and_refuses_like_the_engine(ball):
     )
     assert simulate(ball, duration="5 s", method="cvodes", max_events=2, tolerance=1e-6).outcome.name == "event_limit"
     model = point(
-        lambda d, v, v0: 1e3 * d,
-        push=lambda t, x, v: -10.0 + 0 * t,
-        in_range=lambda d: d < 0.05,
-        scales=(1e-2, 1, 100, 1),
-    )
+        lambda d, v, v0: 1e3 * d, push=lambda t, x, v: -10.0 + 0 * t, in_range=lambda d: d < 0.05, scales=(1e-2, 1, 100, 1),
+    )  # fmt: skip
     assert simulate(model, duration=1.0, method="cvodes", tolerance=1e-6).outcome.name == "outside_law_range"
 
     def stop(fraction):

@@ -83,11 +83,9 @@ def guide(*, inertia=0.01, **start):
         "block", p("mass", "kg", GUIDED), inertia=p("J", "kg m^2", inertia), centre=(0, p("arm", "m", ARM), 0)
     )
     effects = (
-        DOWN,
-        hd.JointFriction("friction", "slide", RUBS, length=p("length", "m", LENGTH)),
-        hd.JointForce("push", "slide", p("push", "N", 0)),
+        DOWN, hd.JointFriction("friction", "slide", RUBS, length=p("length", "m", LENGTH)), hd.JointForce("push", "slide", p("push", "N", 0)),
         hd.EnergyLedger(),
-    )
+    )  # fmt: skip
     mechanism = hd.Mechanism("guide", (hd.Prismatic("slide", hd.GROUND, block, axis=hd.X),))
     return hd.Scene(mechanism, effects, SCALES, hd.Start(speed={"slide": p("v0", "m/s", 1)}))
 
@@ -138,10 +136,8 @@ def test_a_brake_by_a_normal_force(coordinates):
     effects = (DOWN, hd.Contact("floor", hd.laws.power(p("K", "N/m^1.5", 1e6), 1.5)), brake, hd.EnergyLedger())
     start = hd.Start(position={"fall": radius + p("height", "m", 0.05)}, speed={"axle": p("w", "rad/s", 50)})
     run = simulate(
-        load(hd.Scene(hd.Mechanism("brake", joints, (floor,)), effects, SCALES, start, coordinates=coordinates)),
-        duration=0.15,
-        tolerance=1e-9,
-    )
+        load(hd.Scene(hd.Mechanism("brake", joints, (floor,)), effects, SCALES, start, coordinates=coordinates)), duration=0.15, tolerance=1e-9,
+    )  # fmt: skip
     touches = run.impacts[0].t
     assert run.at(np.array([touches]))["axle.speed"][0] == 50
     impulse = M * (G * 0.15 + run["fall.speed"][-1])  # of the floor: momentum of the ball
@@ -170,17 +166,12 @@ def test_undefined_reactions_are_refused_at_once():
             pendulum().mechanism,
             (
                 replace(BEARING, name="a", length=radius),
-                replace(
-                    BEARING,
-                    name="b",
-                    law=hd.laws.brown_mcphee(MU, 2 * MU, p("v_s", "m/s", V_S), p("c", "N s/m", 1), p("N_t", "N", 1)),
-                ),
-                hd.JointForce("c", "hinge", hd.reaction_of("hunge") * radius),
-                hd.JointForce("d", "hinge", hd.normal_force_of("floor") * radius),
+                replace(BEARING, name="b", law=hd.laws.brown_mcphee(MU, 2 * MU, p("v_s", "m/s", V_S), p("c", "N s/m", 1), p("N_t", "N", 1))),
+                hd.JointForce("c", "hinge", hd.reaction_of("hunge") * radius), hd.JointForce("d", "hinge", hd.normal_force_of("floor") * radius),
                 hd.JointForce("e", "hinge", hd.reaction_of("hinge") * hd.T),
             ),
             SCALES,
-        )
+        )  # fmt: skip
     assert {fault.where.split(",")[0] for fault in caught.value.faults} == {f"effect {name}" for name in "abcde"}
     with pytest.raises(hd.InputError, match="linear"):
         load(pendulum(hd.JointForce("bearing", "hinge", radius * hd.reaction_of("hinge") ** 2 / p("F", "N", 1))))

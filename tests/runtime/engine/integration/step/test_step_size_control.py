@@ -47,10 +47,8 @@ def test_how_wary_a_run_gets_has_a_limit(before, after):
     run = simulate(load("bouncing_ball"), duration="0.1 s", tolerance=1e-6, compiled=False)
     layouts = run.engine.history.engine.layouts
     old = layouts.state.split(ca.DM(run.engine.history.rows[-1])) | {
-        "method": IMPLICIT,
-        "pressure": 0.0,
-        "wary": before,
-    }
+        "method": IMPLICIT, "pressure": 0.0, "wary": before,
+    }  # fmt: skip
     controls = layouts.controls.split(ca.DM(run.engine.history.controls))
     still = ca.DM.zeros(old["y"].numel(), old["y"].numel())
     assert choice(run.engine.model, BY_MODE, old, controls, old, 1e-3, still)["wary"] == after

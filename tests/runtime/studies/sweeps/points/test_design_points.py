@@ -41,11 +41,8 @@ def test_values_of_a_range_are_those_one_would_type():
 
 
 @given(
-    low=st.decimals("-1000", "1000", places=3),
-    rise=st.decimals("0.001", "1000", places=3),
-    parts=st.integers(1, 30),
-    finer=st.integers(1, 6),
-)
+    low=st.decimals("-1000", "1000", places=3), rise=st.decimals("0.001", "1000", places=3), parts=st.integers(1, 30), finer=st.integers(1, 6),
+)  # fmt: skip
 def test_a_finer_range_has_the_values_of_the_coarser_bitwise(low, rise, parts, finer):
     high = low + rise
     coarse, fine = (column(list(design({"x": f"{low}..{high} m:{n + 1}"})), "x") for n in (parts, parts * finer))

@@ -33,20 +33,16 @@ def test_layout_comments_and_what_is_not_used_do_not_matter(other):
 @pytest.mark.parametrize(
     ("one", "other"),
     [
-        (PLAIN, "def f(run):\n    return np.ptp(run['y'])\n"),
-        (PLAIN, "def f(run):\n    return np.max(run['x'])\n"),
+        (PLAIN, "def f(run):\n    return np.ptp(run['y'])\n"), (PLAIN, "def f(run):\n    return np.max(run['x'])\n"),
         ("def f(run, k=1):\n    return k\n", "def f(run, k=2):\n    return k\n"),
         ("K = 1.0\ndef f(run):\n    return K\n", "K = 2.0\ndef f(run):\n    return K\n"),
-        (
-            "def g(x):\n    return x\ndef f(run):\n    return g(run)\n",
-            "def g(x):\n    return -x\ndef f(run):\n    return g(run)\n",
-        ),
+        ("def g(x):\n    return x\ndef f(run):\n    return g(run)\n", "def g(x):\n    return -x\ndef f(run):\n    return g(run)\n"),
         ("T = np.zeros(3)\ndef f(run):\n    return T\n", "T = np.ones(3)\ndef f(run):\n    return T\n"),
         ("f = lambda run: (lambda x: x + 1)(run)\n", "f = lambda run: (lambda x: x + 2)(run)\n"),
         ("def h(k):\n    return lambda run: k\nf = h(1)\n", "def h(k):\n    return lambda run: k\nf = h(2)\n"),
         ("f = lambda run: run in {'a', 'b'}\n", "f = lambda run: run in {'a', 'c'}\n"),
     ],
-)
+)  # fmt: skip
 def test_changes_of_the_result_change_the_digest(one, other):
     assert defined(one) == defined(one)
     assert defined(one) != defined(other)

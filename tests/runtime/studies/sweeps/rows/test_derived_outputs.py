@@ -33,13 +33,11 @@ def test_a_derivative_is_a_column_with_its_unit_and_is_kept(crank, tmp_path):
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("d(slider_pin.peak_forc)/d(restitution)", "did you mean slider_pin.peak_force"),
-        ("d(peak_force)/d(restitutio)", "did you mean restitution"),
-        ("d(slider_pin.impact_rate)/d(restitution)", "average of a long run"),
-        ("d(impacts)/d(restitution)", "count"),
+        ("d(slider_pin.peak_forc)/d(restitution)", "did you mean slider_pin.peak_force"), ("d(peak_force)/d(restitutio)", "did you mean restitution"),
+        ("d(slider_pin.impact_rate)/d(restitution)", "average of a long run"), ("d(impacts)/d(restitution)", "count"),
         (f"d({BY})/d(restitution)", "a derivative of a derivative"),
     ],
-)
+)  # fmt: skip
 def test_outputs_without_derivative_are_refused_before_a_run(crank, name, said):
     with pytest.raises(InputError, match=said):
         sweep(crank, {"clearance": "0.2 mm"}, outputs=[name], **HOW)
