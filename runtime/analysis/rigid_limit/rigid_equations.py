@@ -143,11 +143,22 @@ def distance_of(model: EngineModel) -> Callers:
     return Callers(ca.Function("distance", [t, q, c], [ca.densify(ca.substitute(apart, u, ca.SX.zeros(model.nu)))]))
 
 
+@per_model
+def _changes(model: EngineModel) -> Callers:
+    """Build the function (t, q, u, c, by) -> changes of the fields of `State` by those of q, u and c."""
+    t, q, u, c = model.symbols("t q u c")
+    to, results = ca.vertcat(q, u, c), _equations(model).function(t, q, u, c)
+    by = ca.SX.sym("by", to.numel())
+    return Callers(
+        ca.Function("changes", [t, q, u, c, by], [ca.densify(ca.jtimes(ca.vec(x), to, by)) for x in results])
+    )
+
+
 class Equations:
     """Equations of a model with numbers."""
 
     def __init__(self, model: EngineModel, bound: BoundParameters) -> None:
-        self.model, self._c, self._evaluate = model, bound.c, _equations(model)
+        self.model, self.bound, self._c, self._evaluate = model, bound, bound.c, _equations(model)
         self.rows, first = [], 0  # of each pair's normal, and of its tangents
         for count in _tangents(model):
             self.rows.append((first, tuple(range(first + 1, first + 1 + count))))
@@ -158,10 +169,18 @@ class Equations:
 
     def at(self, t: float, y: Array) -> State:
         """Return the motion at a time and state y = (q, u)."""
-        model, m = self.model, self.m
-        shapes = ((model.nq,), (model.nu,), (model.nu, m), (m, m), (m,), (m,), (model.k,))
-        results = self._evaluate(t, y[: model.nq], y[model.nq :], self._c)
-        return State(*(np.asarray(x).reshape(shape) for x, shape in zip(results, shapes, strict=True)))
+        return self._shaped(self._evaluate, t, y)
+
+    def _shaped(self, function: Callers, t: float, y: Array, *more: Array) -> State:
+        nq, nu, m, k = self.model.nq, self.model.nu, self.m, self.model.k
+        sizes = ((nq,), (nu,), (m, nu), (m, m), (m,), (m,), (k,))  # by columns
+        results = function(t, y[:nq], y[nq:], self._c, *more)
+        parts = [np.asarray(x).ravel("F").reshape(shape) for x, shape in zip(results, sizes, strict=True)]
+        return State(parts[0], parts[1], parts[2].T, *parts[3:])
+
+    def changes(self, t: float, y: Array, s: Array, dc: Array) -> State:
+        """Return the changes of the motion by those of the state (nq + nu,) and of the constants (nc,)."""
+        return self._shaped(_changes(self.model), t, y, np.concatenate([s, dc]))
 
     def work(self, t: float, y: Array, forces: Array) -> tuple[float, float]:
         """Return the power [W] of drives and effects under forces (m,), and the work [J] at such impulses."""

@@ -37,6 +37,8 @@ from hertzwerk.runtime.system.lazy import cached_property
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from hertzwerk.runtime.analysis.rigid_limit.rigid_derivatives import RigidDerivatives
+
 TOGETHER, IN_TURN = "together", "in turn"
 SHOWN = 8  # impacts of a table
 TIGHTEST = 1e-13  # tolerance of a run that others are compared with
@@ -61,17 +63,16 @@ class RigidLimit(Histories):
     impulses, accumulations    impacts, and the ends of sequences of ever shorter flights
     t (n,) [s], energy (n,) [J]    at the ends of steps, and before and after each impact; energy is nan without an `EnergyLedger`
     rubbed    energy that friction dissipates between impacts [J]
-    sizes (nq + nu), again    scales of the states; the run once more, with a hundredth of the tolerance
+    initial, again    initial states that were given; the run once more, with a hundredth of the tolerance
     stiffer    compliant runs of the scene, by growing stiffness
     """
 
     model: EngineModel
-    c: Array
+    run: RigidRun
     outcome: Outcome
-    motion: Motion
     law: Mapping[str, RigidImpact]
-    sizes: Array
-    again: Callable[[], Motion]
+    initial: Mapping[str, Value]
+    again: Callable[[], RigidRun]
     stiffness: str
     stiffer: tuple[StifferRun, ...] = ()
 
@@ -90,6 +91,11 @@ class RigidLimit(Histories):
         return {"t": "s"} | {name: self.model.units[name] for name in (*self.model.coordinates, *self.model.speeds)}
 
     @property
+    def motion(self) -> Motion:
+        """Motion of the run, as it was integrated."""
+        return self.run.motion
+
+    @property
     def t(self) -> Array:
         """Times [s] (n,)."""
         return np.array(self.motion.t)
@@ -102,7 +108,10 @@ class RigidLimit(Histories):
             return np.full(len(self.motion.t), math.nan)
         states = ((t, y[: model.nq], y[model.nq :]) for t, y in zip(self.motion.t, self.motion.y, strict=True))
         return np.array(
-            [sum(np.sum(part) for part in model.evaluate("energy", *state, self.c)[:2]) for state in states]
+            [
+                sum(np.sum(part) for part in model.evaluate("energy", *state, self.run.equations.bound.c)[:2])
+                for state in states
+            ]
         )
 
     @property
@@ -137,7 +146,7 @@ class RigidLimit(Histories):
         It has a hundredth of the tolerance and shorter steps, so its own error is far smaller. The times are those of the first
         impacts, as long as the same contacts collide.
         """
-        finer, sizes = self.again(), self.sizes
+        finer, sizes = self.again().motion, self.run.sizes
         apart = np.max(np.abs(_apart(self.motion, finer.impulses)), initial=0.0)
         return float(apart), float(np.max(np.abs(self.motion.y[-1] - finer.y[-1]) / sizes))
 
@@ -148,11 +157,25 @@ class RigidLimit(Histories):
         """
         return self._states(times)[1][:, self._place(name)]
 
+    def derivatives(self, *names: str) -> RigidDerivatives:
+        """Return the derivatives of the run by parameters and initial states, between and through its events.
+
+        `limit.derivatives("restitution").impulses("t", "restitution")` are those of the times of impacts. Where the motion is not smooth
+        they end, and `reason` states why. Raises InputError for names that are neither.
+        """
+        from hertzwerk.runtime.analysis.rigid_limit.rigid_derivatives import (
+            RigidDerivatives,
+        )  # most limits need none of it
+
+        return RigidDerivatives(self.run, self.law, self.initial, names, self.again)
+
     def gaps(self, times: Value | Sequence[float] | Array) -> Array:
         """Return the gaps [m] (n, k) of all pairs at times (n,), as `at` takes them."""
         read, states = self._states(times)
         distance = distance_of(self.model)
-        return np.array([distance(t, y[: self.model.nq], self.c)[0] for t, y in zip(read, states, strict=True)])
+        return np.array(
+            [distance(t, y[: self.model.nq], self.run.equations.bound.c)[0] for t, y in zip(read, states, strict=True)]
+        )
 
     def _states(self, times: Any) -> tuple[Array, Array]:
         read = times_within(times, self.motion.t[0], self.motion.t[-1])
@@ -298,30 +321,31 @@ def rigid_limit(
     share = 1 / (1 + len(factors)) if stiffness else 1.0
     sizes = request.scales.state[: model.nq + model.nu]
 
-    def motion_at(tolerance: float, steps: int = LEAST_STEPS) -> Motion:
+    def run_at(tolerance: float, steps: int = LEAST_STEPS) -> RigidRun:
         run = RigidRun(
             Equations(model, request.bound), laws, list(model.pairs), impacts == TOGETHER, request.scales.scene[:3],
             sizes, tolerance, request.seconds, steps, lambda part: report(share * part),
         )  # fmt: skip
-        return run.run(np.concatenate([request.q, request.u]))
+        run.run(np.concatenate([request.q, request.u]))
+        return run
 
-    motion = motion_at(tolerance)
+    run = run_at(tolerance)
     stiffer = []
     for i, factor in enumerate(factors if stiffness else ()):
         value = request.bound.values[stiffness]
         softer = {**values, stiffness: (value[0] * factor, value[1])}
         compliant = simulate(model, duration=duration, parameters=softer, initial=wanted, accuracy=accuracy)
-        stiffer.append(StifferRun(float(factor), compliant, _apart(motion, compliant.impacts)))
+        stiffer.append(StifferRun(float(factor), compliant, _apart(run.motion, compliant.impacts)))
         report(share * (i + 2))
-    outcome = motion.outcome
+    outcome = run.motion.outcome
     early = [each for each in stiffer if each.run.outcome.name not in REACHED_END]
     if outcome.finished and early:
         first = early[0].run.outcome
         outcome = Outcome(
             first.name, f"the run with {stiffness} times {early[0].factor:g}: {first.message}", first.remedy
         )
-    again = partial(motion_at, max(tolerance / 100, TIGHTEST), 2 * LEAST_STEPS + 1)
-    return RigidLimit(model, request.bound.c, outcome, motion, of_pairs, sizes, again, stiffness, tuple(stiffer))
+    again = partial(run_at, max(tolerance / 100, TIGHTEST), 2 * LEAST_STEPS + 1)
+    return RigidLimit(model, run, outcome, of_pairs, wanted, again, stiffness, tuple(stiffer))
 
 
 def _apart(motion: Motion, impacts: Sequence[Any]) -> Array:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -55,9 +55,28 @@ class Accumulation(NamedTuple):
     t: float
 
 
+@dataclass(frozen=True)
+class RigidEvent:
+    """Instant at which modes change: the start, or the end of the mode of the pair `ended`.
+
+    which    margin of the pair that ends it
+    y, y_after (nq + nu): the states; before, after: the run with its modes then, `after` with what happened
+    repeated    whether the same pair's mode ended at the event before, at the same instant
+    """
+
+    t: float
+    y: Array
+    y_after: Array
+    ended: int | None
+    which: int
+    repeated: bool
+    before: RigidRun
+    after: RigidRun
+
+
 @dataclass
 class Motion:
-    """Motion of a scene in the rigid limit: steps, impulses, ends of sequences of impacts.
+    """Motion of a scene in the rigid limit: steps, events, impulses, ends of sequences of impacts.
 
     t (n,), y (n, nq + nu) at the ends of steps, before and after impacts
     rubbed    energy [J] that friction dissipated between impacts
@@ -69,6 +88,7 @@ class Motion:
     impulses: list[RigidImpulse] = field(default_factory=list)
     accumulations: list[Accumulation] = field(default_factory=list)
     segments: list[Any] = field(default_factory=list)
+    events: list[RigidEvent] = field(default_factory=list)
     rubbed: float = 0.0
     work: float = 0.0
     outcome: Outcome = field(default_factory=lambda: Outcome("finished", "", ""))
@@ -109,12 +129,12 @@ class RigidRun:
         motion, t = self.motion, 0.0
         self.mode, self.ways = [OPEN] * len(self.names), [np.zeros(0)] * len(self.names)
         try:
-            y = self._settled(t, y)
+            y = self._through(t, y)
             self._keep(t, y)
             while t < self.duration:
-                t, y, ended = self._moved(t, y)
+                t, y, ended, which = self._moved(t, y)
                 if t < self.duration:
-                    y = self._settled(t, y, ended)
+                    y = self._through(t, y, ended, which)
                     self._keep(t, y)
                 if len(motion.impulses) > MOST_IMPACTS:
                     motion.outcome = Outcome("too_many_impacts", f"{MOST_IMPACTS:,} impacts by t = {t:.9g} s",
@@ -132,9 +152,24 @@ class RigidRun:
         self.motion.y.append(y)
         self.progress(min(1.0, t / self.duration))
 
+    def pattern(self) -> tuple[list[str], list[str], list[str]]:
+        """Return the modes, and the contacts that collided and came to rest, of a run or an event of it."""
+        motion = self.motion
+        return self.mode, [one.contact for one in motion.impulses], [one.contact for one in motion.accumulations]
+
     # -- at an instant -------------------------------------------------------------------------------------------------
 
-    def _settled(self, t: float, y: Array, ended: int | None = None) -> Array:
+    def _through(self, t: float, y: Array, ended: int | None = None, which: int = 0) -> Array:
+        """Return the state after an event, which the motion keeps."""
+        motion, repeated, before = self.motion, self.last == (t, ended), replace(self, ways=list(self.ways))
+        hit, rested = len(motion.impulses), len(motion.accumulations)
+        after = self.settled(t, y, ended)
+        here = Motion(impulses=motion.impulses[hit:], accumulations=motion.accumulations[rested:])
+        then = replace(self, ways=list(self.ways), motion=here)
+        motion.events.append(RigidEvent(t, y, after, ended, which, repeated, before, then))
+        return after
+
+    def settled(self, t: float, y: Array, ended: int | None = None) -> Array:
         """Return the state after all impacts at an instant, with the modes in which the motion goes on.
 
         ended    pair whose mode has just ended. Where it does again at the same instant, the forces there lie on the limit of the mode: a
@@ -278,9 +313,9 @@ class RigidRun:
 
     # -- between impacts -----------------------------------------------------------------------------------------------
 
-    def _accelerations(self, at: State) -> tuple[Array, Array, Array]:
-        """Return accelerations (nu,), rates of the rows' velocities (m,), and forces along the rows (m,)."""
-        columns, rows, normals = [], [], []
+    def _pushes(self, at: State) -> tuple[Array, list[int]]:
+        """Return the rows (m, n) that each unknown pushes along, and the rows (n,) that they hold."""
+        columns, rows = [], []
         for j, (n, tangents) in enumerate(self.equations.rows):
             if self.mode[j] == OPEN:
                 continue
@@ -288,19 +323,36 @@ class RigidRun:
             push[n] = 1.0
             if self.mode[j] == SLIDES and self.laws[j].mu:
                 push[list(tangents)] = -self.laws[j].mu * self._way(j, at)
-            columns.append(push)
-            rows.append(n)
-            normals.append(j)
-            if self.mode[j] == STICKS:
-                for row in tangents:
-                    columns.append(np.eye(len(at.bias))[row])
-                    rows.append(row)
-        if not columns:
+            held = tangents if self.mode[j] == STICKS else ()
+            columns += [push, *np.eye(len(at.bias))[list(held)]]
+            rows += [n, *held]
+        return np.array(columns).reshape(-1, len(at.bias)).T, rows
+
+    def _accelerations(self, at: State) -> tuple[Array, Array, Array]:
+        """Return accelerations (nu,), rates of the rows' velocities (m,), and forces along the rows (m,)."""
+        pushes, rows = self._pushes(at)
+        if not rows:
             return at.free, at.bias, np.zeros(len(at.bias))
-        pushes = np.array(columns).T
-        system = at.D[rows] @ pushes
-        forces = pushes @ np.linalg.lstsq(system, -at.bias[rows], rcond=1e-12)[0]
+        forces = pushes @ np.linalg.lstsq(at.D[rows] @ pushes, -at.bias[rows], rcond=1e-12)[0]
         return at.free + at.pushed @ forces, at.bias + at.D @ forces, forces
+
+    def changes(self, t: float, y: Array, s: Array, dc: Array, dmu: Array) -> Array:
+        """Return the changes (nq + nu,) of the rates by those of state, constants and friction (pairs,)."""
+        at, by = self.equations.at(t, y), self.equations.changes(t, y, s, dc)
+        pushes, rows = self._pushes(at)
+        if not rows:
+            return np.concatenate([by.rates, by.free])
+        turned = np.zeros_like(pushes)
+        for j, (n, tangents) in enumerate(self.equations.rows):
+            if self.mode[j] == SLIDES and tangents:
+                way, v, dv = self._way(j, at), at.velocity[list(tangents)], by.velocity[list(tangents)]
+                turn = (dv - way * (way @ dv)) / max(float(np.linalg.norm(v)), STILL * self.scale[1])
+                turned[list(tangents), rows.index(n)] = -self.laws[j].mu * turn - dmu[j] * way
+        system = at.D[rows] @ pushes
+        size = np.linalg.lstsq(system, -at.bias[rows], rcond=1e-12)[0]
+        more = by.bias[rows] + (by.D[rows] @ pushes + at.D[rows] @ turned) @ size
+        forces = turned @ size - pushes @ np.linalg.lstsq(system, more, rcond=1e-12)[0]
+        return np.concatenate([by.rates, by.free + by.pushed @ (pushes @ size) + at.pushed @ forces])
 
     def _way(self, j: int, at: State) -> Array:
         """Return the direction in which a contact slides, also where it begins to."""
@@ -308,7 +360,8 @@ class RigidRun:
         size = float(np.linalg.norm(v))
         return v / size if size > 0 else v
 
-    def _rates(self, t: float, y: Array) -> Array:
+    def rates(self, t: float, y: Array) -> Array:
+        """Return the rates (nq + nu,) of a state in the modes of now."""
         at = self.equations.at(t, y)
         return np.concatenate([at.rates, self._accelerations(at)[0]])
 
@@ -319,11 +372,11 @@ class RigidRun:
         tangents = [row for j in closed if self.mode[j] == STICKS for row in self.equations.rows[j][1]]
         return self.equations.closed(t, y, normals, [*normals, *tangents], closed)
 
-    def _moved(self, t: float, y: Array) -> tuple[float, Array, int | None]:
-        """Move until an event or the end; return time, state, and the pair whose mode ends, if one does."""
+    def _moved(self, t: float, y: Array) -> tuple[float, Array, int | None, int]:
+        """Move until an event or the end; return time, state, the pair whose mode ends, and its margin."""
         from scipy.integrate import DOP853  # slow to import
 
-        solver = DOP853(self._rates, t, y, self.duration, rtol=self.tolerance, atol=self.tolerance * self.sizes,
+        solver = DOP853(self.rates, t, y, self.duration, rtol=self.tolerance, atol=self.tolerance * self.sizes,
                         max_step=self.duration / self.steps)  # fmt: skip
         while True:
             solver.step()
@@ -331,38 +384,38 @@ class RigidRun:
                 raise NoSolutionError(0, "no step above rounding meets the tolerance")
             dense = solver.dense_output()
             event = self._first_event(dense)
-            end, pair = (solver.t, None) if event is None else event
+            end, pair, which = (solver.t, None, 0) if event is None else event
             self.motion.segments.append(_Segment(dense, end))
             self._book(dense, end)
             if event is not None:
                 y = self._onto(end, dense(end))
                 self._keep(end, y)
-                return end, y, pair
+                return end, y, pair, which
             solver.y = self._onto(solver.t, solver.y)  # the next step begins on the constraints
-            solver.f = self._rates(solver.t, solver.y)
+            solver.f = self.rates(solver.t, solver.y)
             self._keep(solver.t, solver.y)
             if solver.status == "finished":
-                return solver.t, solver.y, None
+                return solver.t, solver.y, None, 0
 
-    def _first_event(self, dense: Any) -> tuple[float, int] | None:
-        """Return the first time within a step at which a mode ends, with its pair; None where none does."""
+    def _first_event(self, dense: Any) -> tuple[float, int, int] | None:
+        """Return the first time within a step at which a mode ends, its pair and margin; or None."""
         times = np.linspace(dense.t_old, dense.t, PARTS + 1)
-        before = self._margins(times[0], dense)
+        before = self.margins(times[0], dense(times[0]))
         for left, right in pairwise(times.tolist()):
-            after = self._margins(right, dense)
+            after = self.margins(right, dense(right))
             crossings = [
-                (at, j)
+                (at, j, which)
                 for j in range(len(self.names))
-                for at in self._crossing(dense, j, left, right, before[j], after[j])
+                for at, which in self._crossing(dense, j, left, right, before[j], after[j])
             ]
             if crossings:
                 return min(crossings)
             before = after
         return None
 
-    def _margins(self, t: float, dense: Any) -> list[tuple[float, float]]:
+    def margins(self, t: float, y: Array) -> list[tuple[float, float]]:
         """Return for each contact the margins that end its mode below zero; of an open one its gap and rate."""
-        at = self.equations.at(t, dense(t))
+        at = self.equations.at(t, y)
         _, _, forces = self._accelerations(at)
         force, speed = FORCE * self.largest, STILL * self.scale[1]
         margins = []
@@ -380,15 +433,15 @@ class RigidRun:
 
     def _crossing(
         self, dense: Any, j: int, left: float, right: float, before: tuple[float, float], after: tuple[float, float]
-    ) -> Iterator[float]:
-        """Yield the times in a part of a step at which the mode of a contact ends."""
+    ) -> Iterator[tuple[float, int]]:
+        """Yield the times in a part of a step at which the mode of a contact ends, and its margins."""
         from scipy.optimize import brentq  # slow to import
 
         def root(which: int, a: float, b: float) -> float:
-            return float(brentq(lambda t: self._margins(t, dense)[j][which], a, b, xtol=1e-300, rtol=8.9e-16))
+            return float(brentq(lambda t: self.margins(t, dense(t))[j][which], a, b, xtol=1e-300, rtol=8.9e-16))
 
         if self.mode[j] != OPEN:
-            yield from (root(which, left, right) for which in (0, 1) if before[which] > 0 > after[which])
+            yield from ((root(which, left, right), which) for which in (0, 1) if before[which] > 0 > after[which])
             return
         if before[1] < 0 < after[1]:  # a dip: the gap is least where its rate rises through zero
             right = root(1, left, right)
@@ -396,10 +449,10 @@ class RigidRun:
             left = root(1, left, right)
         elif after[1] >= 0:
             return
-        if self._margins(left, dense)[j][0] > 0 > self._margins(right, dense)[j][0]:
+        if self.margins(left, dense(left))[j][0] > 0 > self.margins(right, dense(right))[j][0]:
             closing = root(0, left, right)
-            if self._margins(closing, dense)[j][1] < -STILL * self.scale[1]:
-                yield closing
+            if self.margins(closing, dense(closing))[j][1] < -STILL * self.scale[1]:
+                yield closing, 0
 
     def _book(self, dense: Any, end: float) -> None:
         """Add the energies of a step, by Gauss's quadrature: of friction, and of drives and effects."""

@@ -10,6 +10,7 @@ import hertzwerk.derive as hd
 from hertzwerk import load
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import RigidImpact, rigid_limit
+from hertzwerk.runtime.analysis.rigid_limit.rigid_derivatives import RigidDerivatives
 
 p = hd.Parameter
 
@@ -219,6 +220,82 @@ def test_slider_crank_converges_impact_by_impact():
     assert 0 < apart < 1e-10 and 0 < end < 1e-7
 
 
+def flights(by):
+    """Changes of times and speeds of the ball's impacts, and of the end of its bounces, less those of the closed form."""
+    e, first = 0.3, math.sqrt(2 / G)
+    run = rigid_limit("bouncing_ball", RigidImpact("restitution"), duration="1 s", parameters={"restitution": e})
+    n, (t, speed), found = (
+        np.arange(len(run.impulses)),
+        np.array(run.impulses)[:, 1:3].astype(float).T,
+        run.derivatives(by),
+    )
+    of_time = first * (1 + 2 * e * (1 - e**n) / (1 - e)), 2 * first * ((1 - e**n) / (1 - e) ** 2 - n * e**n / (1 - e))
+    assert t == pytest.approx(of_time[0], rel=1e-10)
+    sizes = {
+        "restitution": 2 * first / (1 - e) ** 2,
+        "gravity": -first * (1 + e) / (1 - e) / 2 / G,
+        "vertical.travel": first * (1 + e) / (1 - e) / 2,
+    }
+    times = {"restitution": of_time[1], "gravity": -t / 2 / G, "vertical.travel": t / 2}
+    speeds = {"restitution": speed * n / e, "gravity": speed / 2 / G, "vertical.travel": speed / 2}
+    parts = (
+        found.impulses("t", by) - times[by],
+        found.impulses("speed", by) - speeds[by],
+        found.accumulations(by) - sizes[by],
+    )
+    return max(np.max(np.abs(part)) for part in parts), found
+
+
+@pytest.mark.parametrize("by", ["restitution", "gravity", "vertical.travel"])
+def test_derivatives_of_a_ball_are_those_of_its_closed_form(by):
+    apart, found = flights(by)
+    assert apart < 1e-8 and found.differences < 1e-7 and found.reason == ""
+    assert abs(found.at(0.95, "vertical.speed", by)) < 1e-12  # at rest
+
+
+def test_a_ball_whose_impacts_keep_their_times_is_seen(monkeypatch):
+    monkeypatch.setattr(RigidDerivatives, "_shift", lambda *_: 0.0)
+    assert flights("gravity")[0] > 1e-3
+
+
+@pytest.mark.parametrize(
+    ("case", "by"), [("space", "mu"), ("plane", "height"), ("block", "tilt"), ("crank", "clearance")]
+)
+def test_derivatives_are_those_of_differences_of_runs(case, by):
+    """Sliding that turns and ends, sticking, impacts of a corner beside a contact that lasts, a drive in a clearance."""
+    target, law, duration, name = {
+        "space": (thrown_ball(space=True), RigidImpact(0.5, "mu"), "1.2 s", "fly.x_speed"),
+        "plane": (thrown_ball(space=False), RigidImpact(0.5, "mu"), "1.2 s", "fly.x_speed"),
+        "block": ("housner_block", RigidImpact(0, "friction"), "0.8 s", "move.angle"),
+        "crank": ("slider_crank", RigidImpact("restitution"), "2 ms", "guide.travel"),
+    }[case]
+    model = load(target)
+    run = rigid_limit(model, law, duration=duration)
+    found, (value, unit), end = run.derivatives(by), run.run.equations.bound.values[by], run.t[-1] * 0.999
+    step = 1e-4 * value
+    near = [
+        rigid_limit(model, law, duration=duration, parameters={by: (value + k * step, unit)}, tolerance=1e-12)
+        for k in (1, -1)
+    ]
+    change = run.run.equations.bound[by] * 2e-4
+    times = np.array([[impulse.t for impulse in each.impulses] for each in near])
+    assert found.reason == ""
+    assert found.impulses("t", by) == pytest.approx((times[0] - times[1]) / change, rel=1e-5, abs=1e-9)
+    states = [each.at(name, [end])[0] for each in near]
+    assert found.at([end], name, by) == pytest.approx([(states[0] - states[1]) / change], rel=1e-5)
+
+
+def test_derivatives_end_where_the_motion_is_not_smooth():
+    both = rigid_limit(block(0.0), RigidImpact(0.5), duration="0.5 s", initial={"fly.y": "1.2 m"}).derivatives("g")
+    assert "foot_1 and foot_2 collide at one instant" in both.reason and both.until == pytest.approx(math.sqrt(0.4 / G))
+    assert math.isnan(both.impulses("t", "g")[0]) and math.isnan(both.at(0.4, "fly.y", "g")[0])
+    raised = rigid_limit(block(0.1), RigidImpact(0.0, 5.0), duration="0.1 s").derivatives("fly.y")
+    assert raised.until == 0 and "opens or closes" in raised.reason
+    with pytest.raises(InputError) as error:
+        rigid_limit("bouncing_ball", RigidImpact(0.5), duration="0.1 s").derivatives("weight")
+    assert "weight" in str(error.value)
+
+
 def test_bad_input_lists_every_fault():
     with pytest.raises(InputError) as error:
         rigid_limit(
@@ -246,7 +323,7 @@ def test_constraints_hold_coordinates_agree_and_the_error_is_that_of_a_run_far_f
         run = rigid_limit(load("four_bar_clearance", coordinates=coordinates), RigidImpact(0.5), duration="2 ms")
         model, y = run.model, run.motion.y[-1]
         if coordinates == "absolute":
-            phi, _ = model.evaluate("constraints", run.t[-1], y[: model.nq], y[model.nq :], run.c)
+            phi, _ = model.evaluate("constraints", run.t[-1], y[: model.nq], y[model.nq :], run.run.equations.bound.c)
             assert np.max(np.abs(phi)) < 1e-12
         times.append([impulse.t for impulse in run.impulses])
     assert len(times[0]) > 2
