@@ -11,10 +11,13 @@ from derived import Derived
 from hertzwerk.derive import Contact, Parameter, audit_scene, derive, generate
 from hertzwerk.derive.audit.audit import InconsistentUnits, audit_program
 from hertzwerk.derive.common.units import parse_unit
+from hertzwerk.derive.declare.effects.elasticity.rod_elasticity import RodElasticity
 from hertzwerk.derive.equations.contact.pairs.on_plane import Face
 from hertzwerk.derive.equations.contact.pairs.on_sphere_or_cylinder import RoundTouch
 from hertzwerk.derive.equations.contact.touch import Touch
+from hertzwerk.derive.equations.contact.worn_surfaces import Worn, WornContour, WornTrack
 from hertzwerk.derive.equations.derivation import derivation_of
+from hertzwerk.derive.equations.flexible.rod_bending import RodBending
 from hertzwerk.derive.equations.module.equation_system import System
 from hertzwerk.derive.equations.motion.equations_of_motion import Equations
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
@@ -179,6 +182,26 @@ def test_a_wrong_step_of_the_derivation_is_refused_by_name(label, monkeypatch):
     error = refusal(slider_crank)
     assert any(named in finding.quantity for finding in error.findings), str(error)
     assert "nothing written" in str(error)
+
+
+TWINS = {
+    # law: (scene, owner, name, twin); those of the catalogue have theirs in test_catalogue.py
+    "wear by force times the square of the speed": ("worn_track", Worn, "progress", lambda f, self, force, v: f(self, force, v**2)),
+    "wear by force alone": ("worn_track", Worn, "progress", lambda f, self, force, v: f(self, force, 1)),
+    "a track as long as it is broad, squared": ("worn_track", WornTrack, "area", lambda f, self, label: f(self, label) ** 2),
+    "a sector without its length": ("worn_slider_crank", WornContour, "area", lambda f, self, label: f(self, label) / self.touch.pair.length),
+    "a rod by E I over the square of its length": (
+        "flexible_slider_crank", RodElasticity, "_named", lambda f, self, kin, unit, *rest: f(self, kin, unit * self.rod.length, *rest),
+    ),
+    "a rod's kinetic energy times its length": ("flexible_slider_crank", RodBending, "kinetic", lambda f, self: f(self) * self.rod.length),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("label", TWINS)
+def test_a_wrong_twin_of_a_law_is_refused(label, monkeypatch):
+    name, owner, method, twin = TWINS[label]
+    seed(monkeypatch, owner, method, twin)
+    assert "nothing written" in str(refusal(scene_from(name)))
 
 
 @pytest.mark.parametrize("name", ["bouncing_ball", "two_spheres"])
