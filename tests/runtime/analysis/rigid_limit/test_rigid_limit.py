@@ -333,7 +333,7 @@ def test_constraints_hold_coordinates_agree_and_the_error_is_that_of_a_run_far_f
         rigid_limit("four_bar_clearance", RigidImpact(0.5), duration="8 ms", tolerance=tolerance)
         for tolerance in (1e-5, 1e-11)
     )
-    end = np.max(np.abs(coarse.motion.y[-1] - finest.motion.y[-1]) / coarse.sizes)
+    end = np.max(np.abs(coarse.motion.y[-1] - finest.motion.y[-1]) / coarse.run.sizes)
     assert coarse.differences[1] == pytest.approx(end, rel=0.1)
     assert finest.differences[1] < 1e-3 * end  # the seeded fault: one that does not depend on the tolerance
 
