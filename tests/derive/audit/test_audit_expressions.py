@@ -105,6 +105,18 @@ def test_both_walks_agree(text, expect):
 PAIR = {"K": "N/m^1.5", "d": "m"}
 
 
+def test_symbolic_exponents_stay_symbolic():
+    units = {"K": "N/m^n", "d": "m", "n": "1"}
+    assert audit_expression("K*d**n", units, {}, "N").verdict == "consistent"
+    for value in (1, 1.1, 1.5, 7):
+        assert audit_expression("K*d**n", units, {"n": value}, "N").verdict == "consistent"
+    finding = audit_expression("K*d**n", {**PAIR, "n": "1"}, {}, "N")
+    assert finding.verdict == "inconsistent"
+    assert finding.found == "N m^(n-1.5)"
+    assert finding.consistent_exponent == "3/2"
+    assert "consistent only with n = 3/2" in finding.sentence
+
+
 def test_a_value_is_a_number_and_only_a_literal_zero_has_every_dimension():
     assert audit_expression("a*x", {"x": "m"}, {"a": 3.0}).found == "m"
     assert (
