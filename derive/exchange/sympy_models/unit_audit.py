@@ -15,8 +15,8 @@ from sympy.physics.mechanics import Particle, ReferenceFrame
 from hertzwerk.derive.common.faults import Fault
 from hertzwerk.derive.exchange.sympy_models.model_equations import Reading, connected, frames_of, mass_centre, points_of
 from hertzwerk.derive.exchange.sympy_models.translation import METRE, SECOND, TURNING
-from hertzwerk.derive.expressions.dimension.dimension import ONE, Dimension, DimensionError
-from hertzwerk.derive.expressions.dimension.walker import check, dimension_of
+from hertzwerk.derive.expressions.dimension.dimension import ONE, Dimension
+from hertzwerk.derive.expressions.dimension.walker import check
 
 KILOGRAM, INERTIA, FORCE, MOMENT, ENERGY, POWER = (
     Dimension.from_unit(unit) for unit in ("kg", "kg m^2", "N", "N m", "J", "W")
@@ -36,20 +36,11 @@ def unit_faults(reading: Reading, table: Mapping[Any, Dimension]) -> list[Fault]
 
 
 def _fault(where: str, expression: Any, expected: Dimension | None, table: Mapping[Any, Dimension]) -> Fault | None:
-    fault = check(expression, table, expected) if expected is not None else _any(expression, table)
+    fault = check(expression, table, expected)
     if fault is None:
         return None
     whole = "" if fault.subexpression == str(expression) else f", in {expression}" if len(str(expression)) < 120 else ""
     return Fault(where, f"{fault.subexpression} [{fault.found}]{whole}", fault.expected, fault.repair or fault.reason)
-
-
-def _any(expression: Any, table: Mapping[Any, Dimension]) -> Any:
-    """Fault of an expression of any dimension."""
-    try:
-        dimension_of(expression, table)
-    except DimensionError as error:
-        return error.fault
-    return None
 
 
 def _components(where: str, vector: Any, expected: Dimension) -> Iterator[Row]:

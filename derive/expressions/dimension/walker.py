@@ -241,9 +241,9 @@ def dimension_of(expr: Any, table: Mapping[Any, Dimension], constants: Collectio
 
 
 def check(
-    expr: Any, table: Mapping[Any, Dimension], expected: Dimension, constants: Collection[Any] = ()
+    expr: Any, table: Mapping[Any, Dimension], expected: Dimension | None, constants: Collection[Any] = ()
 ) -> DimensionFault | None:
-    """Fault of a SymPy expression that has not the expected dimension, else None."""
+    """Fault of a SymPy expression that has not the expected dimension, or none at all; else None."""
     try:
         Walker(Symbolic(), table, constants).result(symbolic(as_immutable(expr)), expected)
     except DimensionError as error:

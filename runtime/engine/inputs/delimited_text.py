@@ -43,32 +43,28 @@ PROOF = {  # of a decimal mark: what no number has whose marks part thousands
 UNEVEN = "?"  # cells of a line with more or fewer than there are headings
 LABVIEW, MOTION_CAPTURE = "LabVIEW Measurement", "PathFileType"  # the first words of files that state units in a header
 REMARKS = "comment"  # heading of the last column that LabVIEW writes, whose cells may be left out
-UNPRINTED = re.compile(r"[\0-\x08\x0e-\x1f]")  # in no text
+LOST = "\ufffd"  # stands for bytes that have no meaning in an encoding
+UNPRINTED = re.compile(rf"[\0-\x08\x0e-\x1f{LOST}]")  # in no text
 
 
 def text_of(path: Path) -> str:
     """Return the text of a file in UTF-8, UTF-16 or Latin-1; raises InputError where it is none."""
     try:
         raw = path.read_bytes()
-        if raw[:2] in (b"\xff\xfe", b"\xfe\xff"):
-            text = raw.decode("utf-16")
-        elif b"\0" in raw[:2]:
-            text = raw.decode("utf-16-be" if raw[:1] == b"\0" else "utf-16-le")
-        else:
-            try:
-                text = raw.decode("utf-8-sig")
-            except UnicodeDecodeError:
-                text = raw.decode("latin-1")
-    except (OSError, ValueError) as error:
-        raise InputError("measurement", [unreadable(path, _no_text(error), "a CSV file")]) from error
+    except OSError as error:
+        raise InputError("measurement", [unreadable(path, error, "a CSV file")]) from error
+    encoding = "utf-8-sig"
+    if raw[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        encoding = "utf-16"
+    elif b"\0" in raw[:2]:
+        encoding = "utf-16-be" if raw[:1] == b"\0" else "utf-16-le"
+    text = raw.decode(encoding, "replace")
+    if encoding == "utf-8-sig" and LOST in text:
+        text = raw.decode("latin-1")
     if UNPRINTED.search(text):
-        raise InputError("measurement", [unreadable(path, _no_text(ValueError()), "a CSV file")])
+        actual = "bytes that are not UTF-8, UTF-16 or Latin-1 text; save a workbook as CSV first"
+        raise InputError("measurement", [Fault(str(path), actual, "a CSV file")])
     return text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n").replace("\u2212", "-")
-
-
-def _no_text(error: Exception) -> Exception:
-    plain = "bytes that are not UTF-8, UTF-16 or Latin-1 text; save a workbook as CSV first"
-    return error if isinstance(error, OSError) else ValueError(plain)
 
 
 def cells_of(line: str, delimiter: str) -> list[str]:

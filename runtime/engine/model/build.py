@@ -17,7 +17,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.execute_file import file_of_module, names_imported, sympy_remedy
+from hertzwerk.derive.common.execute_file import file_of_module, names_defined_by, names_imported, sympy_remedy
 from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
 from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.runtime.engine.model.generated_text import module_in, module_of
@@ -99,7 +99,7 @@ def scene_or_module(target: str | Path) -> Scene | ModuleType:
     if module is not None:
         actual = f"`{name}` of a generated module"
         raise InputError(str(target), [Fault(str(target), actual, f"the module itself, {place}")])
-    content = defined_by(Path(place)) if is_file(target) else names_imported(place, name)
+    content = names_defined_by(Path(place)) if is_file(target) else names_imported(place, name)
     return _scene_in(content, str(target), name or "scene", "file" if is_file(target) else "module")
 
 
@@ -117,13 +117,6 @@ def _scene_in(content: Mapping[str, Any], target: str, name: str, kind: str) -> 
     known = [f"{place}:{each}" for each, scene in content.items() if isinstance(scene, Scene) and each[0] != "_"]
     expected = f"one of {', '.join(known)}" if known else f"a {kind} that defines `{name} = Scene(...)`"
     raise InputError(target, [Fault(target, actual, expected, "" if known else sympy_remedy(content))])
-
-
-def defined_by(path: Path) -> dict[str, Any]:
-    """Return the names that a Python file defines, which is executed; raises InputError."""
-    from hertzwerk.derive.common.execute_file import names_defined_by
-
-    return names_defined_by(path)
 
 
 def source_of(target: str | Path) -> str:

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from hertzwerk.derive.common.execute_file import names_defined_by
 from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
@@ -206,14 +207,14 @@ NAMES = ("exponents", "stiffness", "bouncing", "slider_crank")
 
 def study_of(target: str) -> Study:
     """Return a built-in study, or `study` of a Python file, which is executed; raises InputError."""
-    from hertzwerk.runtime.engine.model.build import defined_by, is_file
+    from hertzwerk.runtime.engine.model.build import is_file
 
     if target in NAMES:
         study: Study = import_module(f"hertzwerk.runtime.studies.paper.study_{target}").STUDY
         return study
     if not is_file(target):
         raise InputError("study", [unknown("study", target, NAMES, "or a Python file (its name ends in .py)")])
-    own = defined_by(Path(target)).get("study")
+    own = names_defined_by(Path(target)).get("study")
     if not isinstance(own, Study):
         actual = "no `study`" if own is None else f"`study` of type {type(own).__name__}"
         raise InputError(target, [Fault(target, actual, "a file that defines `study = Study(name, question, run)`")])

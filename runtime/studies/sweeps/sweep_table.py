@@ -33,8 +33,7 @@ from hertzwerk.runtime.output.tables.dataset import dataset
 from hertzwerk.runtime.output.tables.labelled_table import Column, LabelledTable, Points
 from hertzwerk.runtime.output.tables.table_file import write_table
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design
-from hertzwerk.runtime.studies.sweeps.rows.array_table import Arrays
-from hertzwerk.runtime.studies.sweeps.rows.row import TEXTS, Row
+from hertzwerk.runtime.studies.sweeps.rows.row import TEXTS, Arrays, Row
 from hertzwerk.runtime.system.lazy import cached_property
 from hertzwerk.runtime.system.versions import versions
 
