@@ -1,4 +1,4 @@
-"""Faults of names and texts: invalid or duplicate names, text that cannot be printed."""
+"""Faults of names, texts and units: invalid names, text that cannot be printed or is no unit."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from hertzwerk.derive.common.faults import Fault
+from hertzwerk.derive.common.faults import Fault, shown
+from hertzwerk.derive.common.units import UnitError, parse_unit
 
 MAX_BYTES = 120
 """Longest name in UTF-8: names become file names too, with a suffix."""
@@ -48,3 +49,12 @@ def repeated(kind: str, names: Iterable[str]) -> Iterator[Fault]:
         yield from name_faults(kind, name)
         if count > 1:
             yield Fault(f"{kind} {name}", f"{count} of this name", "names that are unique", "Rename one of them.")
+
+
+def unit_faults(where: str, unit: Any, expected: str = "a unit", *, constant: bool = False) -> Iterator[Fault]:
+    """Yield the fault of a text that is no unit or, where it must be `constant`, has a symbolic exponent."""
+    try:
+        if parse_unit(unit).free_names and constant:
+            yield Fault(where, f"unit {shown(unit)}", f"{expected} without a symbolic exponent")
+    except UnitError as error:
+        yield Fault(where, f"unit {shown(unit)}", expected, str(error))

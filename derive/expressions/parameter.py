@@ -13,8 +13,8 @@ from typing import Any, Self, TypeAlias
 import sympy as sp
 
 from hertzwerk.derive.common.faults import Fault
-from hertzwerk.derive.common.identifiers import name_faults, text_faults
-from hertzwerk.derive.common.units import Unit, UnitError, parse_unit
+from hertzwerk.derive.common.identifiers import name_faults, text_faults, unit_faults
+from hertzwerk.derive.common.units import Unit, parse_unit
 from hertzwerk.derive.expressions.algebra.tagged import Tagged
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
 
@@ -46,10 +46,7 @@ class Parameter(Tagged):
         yield from text_faults(f"{where}, meaning", self.meaning)
         if self.name.endswith(TABLE):
             yield Fault(where, f"the name {self.name!r}", f"a name that does not end in {TABLE}, as those of tables do")
-        try:
-            parse_unit(self.unit)
-        except UnitError as error:
-            yield Fault(where, f"unit {self.unit!r}", "a unit", str(error))
+        yield from unit_faults(where, self.unit)
         if isinstance(self.default, bool) or not isinstance(self.default, (int, float)):
             yield Fault(where, f"default {self.default!r}", "a number")
         elif not abs(self.default) <= sys.float_info.max:

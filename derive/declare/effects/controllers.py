@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 import sympy as sp
 
 from hertzwerk.derive.common.faults import Fault
-from hertzwerk.derive.common.units import UnitError, parse_unit
+from hertzwerk.derive.common.identifiers import unit_faults
 from hertzwerk.derive.declare.effects.effect import (
     NOWHERE,
     Declared,
@@ -118,7 +118,7 @@ class SpeedController(JointEffect):
     def type_faults(self) -> Iterator[Fault]:
         """Yield faults of an invalid unit and of invalid limits."""
         yield from super().type_faults()
-        yield from _unit_faults(self.where, self.unit, "the unit of its command, such as N m or V")
+        yield from unit_faults(self.where, self.unit, "the unit of its command, such as N m or V")
         where, limits = f"{self.where}, limit", self.limit if isinstance(self.limit, tuple) else (self.limit,)
         if len(limits) > 2 or not (self.limit is None or all(map(is_number, limits))):
             yield Fault(where, repr(self.limit), "the largest command, or the least and the largest, (low, high)")
@@ -214,7 +214,7 @@ class Relay(Effect):
     def type_faults(self) -> Iterator[Fault]:
         """Yield faults of an invalid unit, and of a start other than 1 or -1."""
         yield from super().type_faults()
-        yield from _unit_faults(self.where, self.unit, "the unit of its signal, such as m/s")
+        yield from unit_faults(self.where, self.unit, "the unit of its signal, such as m/s")
         if self.start not in (1, -1):
             yield Fault(self.where, f"start {self.start!r}", "1 or -1")
 
@@ -236,11 +236,3 @@ class Relay(Effect):
         size = sp.S.One if self.unit == "1" else scale
         switch = Event("switch", margin, size if self.size is None else self.size, {"output": -output})
         return Element(events=(switch,))
-
-
-def _unit_faults(where: str, unit: Any, expected: str) -> Iterator[Fault]:
-    """Faults of a unit that cannot be read."""
-    try:
-        parse_unit(unit)
-    except UnitError as error:
-        yield Fault(where, f"unit {unit!r}", expected, str(error))

@@ -18,8 +18,8 @@ from typing import Any, Protocol
 import sympy as sp
 
 from hertzwerk.derive.common.faults import Fault, InputError, one_of
-from hertzwerk.derive.common.identifiers import name_faults, text_faults
-from hertzwerk.derive.common.units import UnitError, parse_unit, unit_text
+from hertzwerk.derive.common.identifiers import name_faults, text_faults, unit_faults
+from hertzwerk.derive.common.units import parse_unit, unit_text
 from hertzwerk.derive.declare.mechanism.joints.joint import Freedom
 from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.expressions.algebra.notation import text_of
@@ -116,11 +116,7 @@ class Input(StateSymbol):
             yield Fault(
                 where, f"the name {self.name!r}", f"a name that is no history of every run, nor ends in {TABLE}"
             )
-        try:
-            if parse_unit(self.unit).free_names:
-                yield Fault(where, f"unit {self.unit!r}", "a unit without a symbolic exponent")
-        except UnitError as error:
-            yield Fault(where, f"unit {self.unit!r}", "a unit", str(error))
+        yield from unit_faults(where, self.unit, constant=True)
 
 
 def coordinate_of(joint: str) -> StateSymbol:

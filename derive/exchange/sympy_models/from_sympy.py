@@ -112,12 +112,11 @@ class Model:
         it keeps the axes of the ground. Raises InputError.
         """
         where, axes = self._find(point, self._points, "point"), self._find(frame, self._frames, "frame")
+        self._must_have_place(where)
         for body, own in zip(self.bodies, self._reading.bodies, strict=True):
             centre, carrier = mass_centre(own)
             if centre == where and axes in (None, carrier):
-                self._must_have_place(where)
                 return Point(body)
-        self._must_have_place(where)
         refuse(f"model {self.name}", [*self._orientation_faults(where, axes)])
         name = where.name if axes is None else f"{where.name}_{axes.name}"
         if name not in self._bodies:

@@ -18,8 +18,8 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.common.faults import Fault, shown
-from hertzwerk.derive.common.identifiers import name_faults
-from hertzwerk.derive.common.units import UnitError, parse_unit
+from hertzwerk.derive.common.identifiers import name_faults, unit_faults
+from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.derive.expressions.algebra.functions import NoText
 
 Pair = tuple[float, float]
@@ -83,11 +83,7 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         if len(self.units) != 2:
             yield Fault(where, f"units {self.units!r}", "two, of an argument and of a value")
         for unit in self.units:
-            try:
-                if parse_unit(unit).free_names:
-                    yield Fault(where, f"unit {unit!r}", "a unit without a symbolic exponent")
-            except UnitError as error:
-                yield Fault(where, f"unit {unit!r}", "a unit", str(error))
+            yield from unit_faults(where, unit, constant=True)
         if len(self.arguments) != len(self.values) or len(self.arguments) < 2:
             actual = f"{len(self.arguments)} arguments and {len(self.values)} values"
             yield Fault(where, actual, "as many values as arguments, at least two")

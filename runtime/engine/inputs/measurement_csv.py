@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown, unknown
+from hertzwerk.derive.common.identifiers import unit_faults
 from hertzwerk.derive.common.units import Unit, UnitError, parse_unit
 from hertzwerk.runtime.engine.inputs.delimited_text import Arrays, Numbers, layout_of, text_of, with_header
 from hertzwerk.runtime.engine.model.binding import whole_faults
@@ -72,10 +73,7 @@ class Columns:
             if values.shape != (rows,)
         ]
         for name in columns:
-            try:
-                parse_unit(self.units.get(name, ""))
-            except UnitError as error:
-                faults.append(Fault(name, shown(self.units.get(name)), "a unit", str(error)))
+            faults += unit_faults(name, self.units.get(name))
         return faults
 
 
@@ -311,7 +309,7 @@ def _heading(cell: str) -> tuple[str, str]:
         if match := pattern.fullmatch(cell):
             unit = _unit(match["unit"])
             one = pattern is HEADINGS[1] and match["unit"].strip() == "1"
-            if pattern is HEADINGS[0] or (_is_unit(unit) and not one):
+            if pattern is HEADINGS[0] or (not one and not any(unit_faults("", unit))):
                 return match["name"].strip(), unit
     return cell, ""
 
@@ -321,13 +319,6 @@ def _unit(text: str) -> str:
     bare = text.strip()
     bare = bare[1:-1].strip() if bare[:1] + bare[-1:] in ("()", "[]") else bare
     return WORDS.get(bare.lower().removesuffix("s"), bare)
-
-
-def _is_unit(text: str) -> bool:
-    try:
-        return bool(parse_unit(text))
-    except UnitError:
-        return False
 
 
 def _chosen(

@@ -16,7 +16,8 @@ from typing import Any, Literal
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, shown
-from hertzwerk.derive.common.units import Unit, UnitError, parse_unit
+from hertzwerk.derive.common.identifiers import unit_faults
+from hertzwerk.derive.common.units import Unit, parse_unit
 from hertzwerk.runtime.engine.model.signal import DEGREE, Signal
 
 BETWEEN = ("linear", "held", "cubic")
@@ -73,10 +74,7 @@ class Samples:
         if not isinstance(self.units, tuple | list) or len(self.units) != 2:
             yield Fault(where, f"units {shown(self.units)}", 'two, of a time and of a value, such as ("ms", "N m")')
         for unit in self.units if isinstance(self.units, tuple | list) else ():
-            try:
-                parse_unit(unit)
-            except UnitError as error:
-                yield Fault(where, f"unit {shown(unit)}", "a unit", str(error))
+            yield from unit_faults(where, unit)
         try:
             t, v = self._arrays
         except (TypeError, ValueError):

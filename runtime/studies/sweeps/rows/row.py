@@ -1,4 +1,4 @@
-"""Row of a sweep, and its arrays as they are kept: compressed, in memory and in a store, and as CSV and JSON."""
+"""Row of a sweep, and its arrays as they are kept: compressed, in memory, in a store, as CSV and JSON."""
 
 from __future__ import annotations
 
