@@ -17,7 +17,7 @@ NAME = "cam_follower"
 SOURCE = "derive/scenes/cam_follower.py"
 SUMMARY = "cam whose roller follower lifts off"
 FORMAT = "hertzwerk module 1"
-DIGEST = "84755998d91b8b8e54dbe5655deb1ee7"
+DIGEST = "b7c5475e58ecdf72b61d96e82d61dca7"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("motor", "drive", "constant speed of shaft"),
@@ -122,17 +122,26 @@ GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAM
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
-def _called(name, inputs, result, slope):
-    """Function that is called, not expanded, with its derivative by the last input: slope(that input, its result); the others are constants."""
-    o, last = ca.SX.sym("o", result.numel()), ca.SX.sym("i", inputs[-1].shape)
-    slopes = [*(ca.SX(result.numel(), x.numel()) for x in inputs[:-1]), slope(last, o)]
-    names = [f"i{k}" for k in range(len(inputs))]
+def _called(name, inputs, result, slope, shaped):
+    """Function that is called, not expanded, with its derivatives: by the last input slope(it, what is found), by others shaped(all of these).
+
+    `shaped` gives those of the first rows by the others, None by one that only leads to the result. They take time, and are
+    zero unless _SHAPED: a run has no use for them.
+    """
+    *others, last = [ca.SX.sym("i", x.shape) for x in inputs]
+    n, names, o = result.numel(), [f"i{k}" for k in range(len(inputs))], ca.SX.sym("o", result.numel())
+    slopes = [
+        ca.SX(n, x.numel()) if block is None else ca.vertcat(block, ca.SX(n - block.size1(), x.numel()))
+        for x, block in zip(others, shaped(*others, last, o) if _SHAPED else [None for _ in others], strict=True)
+    ]
     slopes = ca.Function(
-        f"jac_{name}", [*(ca.SX.sym("i", x.shape) for x in inputs[:-1]), last, o], slopes,
-        [*names, "out_found"], [f"jac_found_{k}" for k in names],
+        f"jac_{name}", [*others, last, o], [*slopes, slope(last, o)], [*names, "out_found"], [f"jac_found_{k}" for k in names],
     )
     called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
     return ca.Function(name, inputs, [ca.densify(result)], names, ["found"], called)
+
+
+_SHAPED = False
 
 
 def _samples(curve, data, given):
@@ -162,26 +171,31 @@ def _nearest(curve, data, samples, given, point):
         side = -1 if hole else 1
         widest = max(b - a for a, b in zip(at, (*at[1:], at[0] + end - start) if closed else at[1:], strict=False))
         s, at_point, values = ca.SX.sym("s"), ca.SX.sym("point", 2), ca.SX.sym("given", given.numel())
-        found, last = s, 6 if tries > 1 else 5
-        for k in range(last + 1):
-            here = found - (end - start)*ca.floor((found - start)/(end - start)) if closed else found
-            x, y, dx, dy, ddx, ddy = curve(here, *ca.vertsplit(values))
-            px, py, square = at_point[0] - x, at_point[1] - y, dx**2 + dy**2
-            slope = ca.fmax(square - px*ddx - py*ddy, square/1000)
-            if k < last:
-                found = here + ca.fmin(ca.fmax((px*dx + py*dy)/slope, -widest), widest)
-                found = found if closed else ca.fmin(ca.fmax(found, start), end)
-        speed = ca.sqrt(square)
-        nx, ny = side*dy/speed, -side*dx/speed
-        h = px*nx + py*ny
-        curvature = side*(dx*ddy - dy*ddx)/(square*speed)
-        bend = curvature/(1 + curvature*h)
-        apart = ca.sqrt(px**2 + py**2)
-        if not closed:  # beyond an end the end is nearest
-            way = px*dx + py*dy
-            beyond = ca.logic_or(ca.logic_and(here <= start, way < 0), ca.logic_and(here >= end, way > 0))
-            nx, ny, h, bend = (ca.if_else(beyond, a, b) for a, b in ((px/apart, nx), (py/apart, ny), (apart, h), (1/apart, bend)))
-        refined = ca.Function("refined", [s, at_point, values], [ca.vertcat(h, nx, ny, bend, here, apart)])
+
+        def refine(count):  # of Newton's method, from a parameter
+            found = s
+            for k in range(count + 1):
+                here = found - (end - start)*ca.floor((found - start)/(end - start)) if closed else found
+                x, y, dx, dy, ddx, ddy = curve(here, *ca.vertsplit(values))
+                px, py, square = at_point[0] - x, at_point[1] - y, dx**2 + dy**2
+                slope = ca.fmax(square - px*ddx - py*ddy, square/1000)
+                if k < count:
+                    found = here + ca.fmin(ca.fmax((px*dx + py*dy)/slope, -widest), widest)
+                    found = found if closed else ca.fmin(ca.fmax(found, start), end)
+            speed = ca.sqrt(square)
+            nx, ny = side*dy/speed, -side*dx/speed
+            h, along = px*nx + py*ny, side*speed/slope
+            curvature = side*(dx*ddy - dy*ddx)/(square*speed)
+            bend = curvature/(1 + curvature*h)
+            apart = ca.sqrt(ca.fmax(px**2 + py**2, 1e-300))
+            if not closed:  # beyond an end the end is nearest
+                way = px*dx + py*dy
+                beyond = ca.logic_or(ca.logic_and(here <= start, way < 0), ca.logic_and(here >= end, way > 0))
+                of_end = (px/apart, nx), (py/apart, ny), (apart, h), (1/apart, bend), (0, along)
+                nx, ny, h, bend, along = (ca.if_else(beyond, a, b) for a, b in of_end)
+            return ca.Function("refined", [s, at_point, values], [ca.vertcat(h, nx, ny, bend, here, along, apart)])
+
+        refined, again = refine(6 if tries > 1 else 5), refine(1)
         at_point, values, table = ca.MX.sym("point", 2), ca.MX.sym("given", given.numel()), ca.MX.sym("samples", samples.numel())
         d = (table[: len(at)] - at_point[0])**2 + (table[len(at) :] - at_point[1])**2
         parameters, least = ca.MX(ca.DM(at)), ca.mmin(d)
@@ -195,9 +209,12 @@ def _nearest(curve, data, samples, given, point):
 
         def slope(_, o):
             t = ca.vertcat(-o[2], o[1])
-            return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(2, 2))
+            return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T, ca.SX(1, 2))
 
-        _NEAREST[curve] = _called("nearest", [table, values, at_point], result[:5], slope)
+        def shaped(_, values, point, o):
+            return None, ca.jacobian(again(o[4], point, values)[:5], values)
+
+        _NEAREST[curve] = _called("nearest", [table, values, at_point], result[:6], slope, shaped)
     return _NEAREST[curve](samples, given, point)
 
 

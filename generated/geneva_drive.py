@@ -15,7 +15,7 @@ NAME = "geneva_drive"
 SOURCE = "derive/scenes/geneva_drive.py"
 SUMMARY = "a pin turns a slotted wheel, a disc locks it"
 FORMAT = "hertzwerk module 1"
-DIGEST = "272797bd8f91f9e6caa9808e44d16acc"
+DIGEST = "6918faedb9a038371e62d14ce87fb8de"
 
 EFFECTS = (
     ("motor", "drive", "constant speed of shaft"), ("slot", "contact", "power x power_damping"),
@@ -177,28 +177,39 @@ GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAM
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
-def _called(name, inputs, result, slope):
-    """Function that is called, not expanded, with its derivative by the last input: slope(that input, its result); the others are constants."""
-    o, last = ca.SX.sym("o", result.numel()), ca.SX.sym("i", inputs[-1].shape)
-    slopes = [*(ca.SX(result.numel(), x.numel()) for x in inputs[:-1]), slope(last, o)]
-    names = [f"i{k}" for k in range(len(inputs))]
+def _called(name, inputs, result, slope, shaped):
+    """Function that is called, not expanded, with its derivatives: by the last input slope(it, what is found), by others shaped(all of these).
+
+    `shaped` gives those of the first rows by the others, None by one that only leads to the result. They take time, and are
+    zero unless _SHAPED: a run has no use for them.
+    """
+    *others, last = [ca.SX.sym("i", x.shape) for x in inputs]
+    n, names, o = result.numel(), [f"i{k}" for k in range(len(inputs))], ca.SX.sym("o", result.numel())
+    slopes = [
+        ca.SX(n, x.numel()) if block is None else ca.vertcat(block, ca.SX(n - block.size1(), x.numel()))
+        for x, block in zip(others, shaped(*others, last, o) if _SHAPED else [None for _ in others], strict=True)
+    ]
     slopes = ca.Function(
-        f"jac_{name}", [*(ca.SX.sym("i", x.shape) for x in inputs[:-1]), last, o], slopes,
-        [*names, "out_found"], [f"jac_found_{k}" for k in names],
+        f"jac_{name}", [*others, last, o], [*slopes, slope(last, o)], [*names, "out_found"], [f"jac_found_{k}" for k in names],
     )
     called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
     return ca.Function(name, inputs, [ca.densify(result)], names, ["found"], called)
 
 
+_SHAPED = False
+
+
 def _slope_between(pose, found):
     """Derivative of where two curves are nearest by the pose of the first."""
-    _, nx, ny, px, py, share, rolling, bend, *_ = ca.vertsplit(found)
+    h, nx, ny, px, py, share, rolling, bend, _, _, own, other, *_ = ca.vertsplit(found)
     x, y, c, s = ca.vertsplit(pose)
     columns = []
     for vx, vy, turn in ((1, 0, 0), (0, 1, 0), (s*(py - y), s*(x - px), -s), (c*(y - py), c*(px - x), c)):
         slide = nx*vy - ny*vx
         normal, foot = bend*slide + (1 - share)*turn, share*slide + rolling*turn
-        columns.append(ca.vertcat(nx*vx + ny*vy, -ny*normal, nx*normal, -ny*foot, nx*foot, ca.SX(5, 1)))
+        parameters = own*(slide + h*turn - foot - h*normal), other*foot
+        rest = ca.SX(found.numel() - 10, 1)
+        columns.append(ca.vertcat(nx*vx + ny*vy, -ny*normal, nx*normal, -ny*foot, nx*foot, ca.SX(3, 1), *parameters, rest))
     return ca.horzcat(*columns)
 
 
@@ -323,7 +334,12 @@ def _nearest_of_chain(pieces, data, samples, given, point):
             t = ca.vertcat(-o[2], o[1])
             return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T, ca.SX(1, 2))
 
-        _NEAREST_OF_CHAIN[pieces] = _called("nearest", [rows, values, p], result, slope)
+        again = ca.Function("again", [rows, p], [result[:5]], {"never_inline": True})
+
+        def shaped(rows, _, p, __):
+            return ca.jacobian(again(rows, p), rows), None
+
+        _NEAREST_OF_CHAIN[pieces] = _called("nearest", [rows, values, p], result, slope, shaped)
     return _NEAREST_OF_CHAIN[pieces](samples, given, point)
 
 
@@ -337,7 +353,8 @@ def _seen_from_chain(chain, data, rows, other, other_data, other_rows, pose, poi
     far as the nearest piece or corner. An arc is as far as its centre, less the radius, from what it faces, and which it has
     entered by no more than half of how thick that is; of a corner that counts elsewhere it says nothing, as near another corner
     that is less deep. A vector: distance; normal out of the other, distance of the centre,
-    curvature of the other's parallel curve through it; the centre and the radius in its chain; both parameters.
+    curvature of the other's parallel curve through it; the centre and the radius in its chain; both parameters, and their change
+    along either.
     """
     (corners, arcs, _), count, other_count = points, len(data[2]), len(other_data[2])
     deep = -counted[2]*sum(ca.vertsplit(other_rows)[9::12])
@@ -377,13 +394,14 @@ def _seen_from_chain(chain, data, rows, other, other_data, other_rows, pose, poi
     near = of_corner(other_rows, p)
     if arcs:
         near = ca.if_else(round_, of_arc(other_rows, p, turn@column[2:4], ca.vertcat(column[4:], deep)), near)
-    h, nx, ny, bend, at, _ = ca.vertsplit(_on_chain(other, other_data)(other_rows, ca.find(near <= ca.mmin(near)), p))
-    own = number
+    h, nx, ny, bend, at, along = ca.vertsplit(_on_chain(other, other_data)(other_rows, ca.find(near <= ca.mmin(near)), p))
+    own = ca.vertcat(number, 0)
     if arcs:
         foot = column[:2] - column[5]*(turn.T@ca.vertcat(nx, ny))
-        own = ca.if_else(round_, _on_chain(chain, data)(rows, number, foot)[4], number)
+        own = ca.if_else(round_, _on_chain(chain, data)(rows, number, foot)[4:], own)
     gap = h - column[5]
-    return ca.vertcat(ca.if_else(ca.mmin(far) < 1e290, gap, ca.fabs(gap)), nx, ny, h, bend, column[:2], column[5], own, at)
+    gap = ca.if_else(ca.mmin(far) < 1e290, gap, ca.fabs(gap))
+    return ca.vertcat(gap, nx, ny, h, bend, column[:2], column[5], own[0], at, own[1], along/ca.if_else(along == 0, 1, 1 - h*bend))
 
 
 def _between_of_chain(first, data, second, other_data, samples, others, given, other_given, pose, points, other_points):
@@ -398,20 +416,26 @@ def _between_of_chain(first, data, second, other_data, samples, others, given, o
         x, y, c, s = ca.vertsplit(place)
         found = []
         if points[0] or points[1]:
-            h, nx, ny, far, bend, px, py, radius, one, two = ca.vertsplit(
+            h, nx, ny, far, bend, px, py, radius, *parameters = ca.vertsplit(
                 _seen_from_chain(first, data, rows, second, other_data, other_rows, place, points, (other_points[0], (), other_points[2]))
             )
             px, py, share = x + c*px - s*py - far*nx, y + s*px + c*py - far*ny, 1 - far*bend
-            found.append(ca.vertcat(h, nx, ny, px, py, share, far*share, bend, one, two))
+            found.append(ca.vertcat(h, nx, ny, px, py, share, far*share, bend, *parameters))
         if other_points[0] or other_points[1]:
             back = ca.vertcat(-c*x - s*y, s*x - c*y, c, -s)
-            h, nx, ny, far, bend, px, py, radius, two, one = ca.vertsplit(
+            h, nx, ny, far, bend, px, py, radius, two, one, other, own = ca.vertsplit(
                 _seen_from_chain(second, other_data, other_rows, first, data, rows, back, other_points, points)
             )
             nx, ny, share = s*ny - c*nx, -s*nx - c*ny, radius*bend
-            found.append(ca.vertcat(h, nx, ny, px + radius*nx, py + radius*ny, share, radius*(1 - share), bend, one, two))
+            found.append(ca.vertcat(h, nx, ny, px + radius*nx, py + radius*ny, share, radius*(1 - share), bend, one, two, own, other))
         result = found[0] if len(found) == 1 else ca.if_else(found[0][0] <= found[1][0], *found)
-        _BETWEEN_OF_CHAIN[key] = _called("between", [rows, other_rows, *values, place], result, _slope_between)
+
+        again = ca.Function("again", [rows, other_rows, place], [result[:10]], {"never_inline": True})
+
+        def shaped(rows, other_rows, _, __, place, ___):
+            return *(ca.jacobian(again(rows, other_rows, place), x) for x in (rows, other_rows)), None, None
+
+        _BETWEEN_OF_CHAIN[key] = _called("between", [rows, other_rows, *values, place], result, _slope_between, shaped)
     return _BETWEEN_OF_CHAIN[key](samples, others, given, other_given, pose)
 
 

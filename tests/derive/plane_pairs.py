@@ -3,6 +3,7 @@
 import casadi as ca
 import numpy as np
 import sympy as sp
+from derived import Derived
 
 import hertzwerk.derive as hd
 
@@ -40,8 +41,35 @@ def gaps(derived, q, u=(0, 0, 0, 0), a=(0, 0, 0, 0)):
     return float(G[0]), float(dG[0]), float(derived.call("gap_accelerations", q=q, u=u, a=a)[0])
 
 
+def check_shapes(derived, states, h=1e-6, shaped=True):
+    """Derivatives of gaps, their rates and the curves' parameters by what shapes the curves, and by places, are differences."""
+    derived = Derived(text=derived.text)
+    derived.names["_SHAPED"] = shaped
+    constants, u = (lambda p: derived.call("constants", p=p)), np.array([0.2, -0.3, 0.4, 0.5])
+    steps = [h * at * unit for at, unit in zip(derived.p, np.eye(len(derived.p)), strict=True)]
+    moved = {"c": [(constants(derived.p + step), constants(derived.p - step)) for step in steps]}
+    for q in map(np.array, states):
+        moved["q"] = [(q + h * unit, q - h * unit) for unit in np.eye(4)]
+        for which, pairs in moved.items():
+            for function, result in (("gaps", 0), ("gaps", 1), ("outputs", 0)):
+                given = {"q": q, "u": u, "c": derived.c}
+
+                def value(x, name=which, function=function, result=result, given=given):
+                    return np.atleast_2d(derived.call(function, **{**given, name: x}))[result]
+
+                slopes = derived.jacobian(function, which, result, **given)
+                for one, other in pairs:
+                    expected = value(one) - value(other)
+                    size = h * np.abs(value(given[which])).max()
+                    assert np.allclose(slopes @ (one - other), expected, rtol=1e-5, atol=1e-5 * size), (
+                        function,
+                        result,
+                    )
+
+
 def check_gradient(derived, states, h=1e-6, rtol=1e-6, atol=1e-3):
     """Forces are minus the gradient of the stored energy, and their derivatives by CasADi, as implicit methods take them, are differences."""
+    check_shapes(derived, states)
     x = ca.SX.sym("x", 4)
     known = {
         "q": x, "u": ca.SX.zeros(4), "z": ca.SX.zeros(len(derived.MEMORY)), "m": ca.SX(0, 1), "c": ca.SX(derived.c), "t": ca.SX(0),

@@ -114,7 +114,12 @@ _ON_CHAIN: "dict[object, ca.Function]" = {}''',
             t = ca.vertcat(-o[2], o[1])
             return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T, ca.SX(1, 2))
 
-        _NEAREST_OF_CHAIN[pieces] = _called("nearest", [rows, values, p], result, slope)
+        again = ca.Function("again", [rows, p], [result[:5]], {"never_inline": True})
+
+        def shaped(rows, _, p, __):
+            return ca.jacobian(again(rows, p), rows), None
+
+        _NEAREST_OF_CHAIN[pieces] = _called("nearest", [rows, values, p], result, slope, shaped)
     return _NEAREST_OF_CHAIN[pieces](samples, given, point)
 
 
@@ -127,25 +132,32 @@ _NEAREST_OF_CHAIN: "dict[object, ca.Function]" = {}''',
     if pieces not in _SUPPORT_OF_CHAIN:
         closed, _, turns = data
         rows, values, m = ca.SX.sym("samples", samples.numel()), ca.SX.sym("given", given.numel()), ca.SX.sym("direction", 2)
-        points = [(rows[12*k : 12*k + 2], 0, 1, k) for k in range(len(turns))] + ([] if closed else [(rows[-10:-8], 0, 1, len(turns))])
+        points = [(rows[12*k : 12*k + 2], 0, 1, k, 0) for k in range(len(turns))]
+        points += [] if closed else [(rows[-10:-8], 0, 1, len(turns), 0)]
         for k, turn in enumerate(turns):
             if turn > 0:
                 a, b, c, way, least, radius = (rows[12*k + i : 12*k + j] for i, j in ((0, 2), (2, 4), (4, 6), (6, 8), (8, 9), (9, 10)))
                 u, v = a - c, b - c
                 whole, part = (ca.atan2(u[0]*x[1] - u[1]*x[0], u[0]*x[0] + u[1]*x[1]) for x in (v, -m))
-                share = (part + 2*ca.pi*(part < 0))/(whole + 2*ca.pi*(whole <= 0))
-                points.append((c - radius*m, radius, -way[0]*m[0] - way[1]*m[1] >= least, k + share))
-        best, result = 1e300, ca.SX.zeros(4)
-        for foot, radius, faces, s in points:
+                whole += 2*ca.pi*(whole <= 0)
+                share = (part + 2*ca.pi*(part < 0))/whole
+                points.append((c - radius*m, radius, -way[0]*m[0] - way[1]*m[1] >= least, k + share, 1/whole))
+        best, result = 1e300, ca.SX.zeros(5)
+        for foot, radius, faces, s, turned in points:
             here = ca.if_else(faces, foot[0]*m[0] + foot[1]*m[1], 1e300)
-            result = ca.if_else(here < best, ca.vertcat(foot, radius, s), result)
+            result = ca.if_else(here < best, ca.vertcat(foot, radius, s, turned), result)
             best = ca.fmin(here, best)
 
         def slope(towards, o):
             t = ca.vertcat(-towards[1], towards[0])
-            return ca.vertcat(-o[2]*t@t.T, ca.SX(2, 2))
+            return ca.vertcat(-o[2]*t@t.T, ca.SX(1, 2), o[4]*t.T, ca.SX(1, 2))
 
-        _SUPPORT_OF_CHAIN[pieces] = _called("support", [rows, values, m], result, slope)
+        again = ca.Function("again", [rows, m], [result[:4]], {"never_inline": True})
+
+        def shaped(rows, _, m, __):
+            return ca.jacobian(again(rows, m), rows), None
+
+        _SUPPORT_OF_CHAIN[pieces] = _called("support", [rows, values, m], result, slope, shaped)
     return _SUPPORT_OF_CHAIN[pieces](samples, given, direction)
 
 
@@ -157,7 +169,8 @@ _SUPPORT_OF_CHAIN: "dict[object, ca.Function]" = {}''',
     far as the nearest piece or corner. An arc is as far as its centre, less the radius, from what it faces, and which it has
     entered by no more than half of how thick that is; of a corner that counts elsewhere it says nothing, as near another corner
     that is less deep. A vector: distance; normal out of the other, distance of the centre,
-    curvature of the other's parallel curve through it; the centre and the radius in its chain; both parameters.
+    curvature of the other's parallel curve through it; the centre and the radius in its chain; both parameters, and their change
+    along either.
     """
     (corners, arcs, _), count, other_count = points, len(data[2]), len(other_data[2])
     deep = -counted[2]*sum(ca.vertsplit(other_rows)[9::12])
@@ -197,13 +210,14 @@ _SUPPORT_OF_CHAIN: "dict[object, ca.Function]" = {}''',
     near = of_corner(other_rows, p)
     if arcs:
         near = ca.if_else(round_, of_arc(other_rows, p, turn@column[2:4], ca.vertcat(column[4:], deep)), near)
-    h, nx, ny, bend, at, _ = ca.vertsplit(_on_chain(other, other_data)(other_rows, ca.find(near <= ca.mmin(near)), p))
-    own = number
+    h, nx, ny, bend, at, along = ca.vertsplit(_on_chain(other, other_data)(other_rows, ca.find(near <= ca.mmin(near)), p))
+    own = ca.vertcat(number, 0)
     if arcs:
         foot = column[:2] - column[5]*(turn.T@ca.vertcat(nx, ny))
-        own = ca.if_else(round_, _on_chain(chain, data)(rows, number, foot)[4], number)
+        own = ca.if_else(round_, _on_chain(chain, data)(rows, number, foot)[4:], own)
     gap = h - column[5]
-    return ca.vertcat(ca.if_else(ca.mmin(far) < 1e290, gap, ca.fabs(gap)), nx, ny, h, bend, column[:2], column[5], own, at)''',
+    gap = ca.if_else(ca.mmin(far) < 1e290, gap, ca.fabs(gap))
+    return ca.vertcat(gap, nx, ny, h, bend, column[:2], column[5], own[0], at, own[1], along/ca.if_else(along == 0, 1, 1 - h*bend))''',
     "_between_of_chain": '''def _between_of_chain(first, data, second, other_data, samples, others, given, other_given, pose, points, other_points):
     """Signed distance of two chains of arcs and lines, and what else is found between two curves, in closed form.
 
@@ -216,20 +230,26 @@ _SUPPORT_OF_CHAIN: "dict[object, ca.Function]" = {}''',
         x, y, c, s = ca.vertsplit(place)
         found = []
         if points[0] or points[1]:
-            h, nx, ny, far, bend, px, py, radius, one, two = ca.vertsplit(
+            h, nx, ny, far, bend, px, py, radius, *parameters = ca.vertsplit(
                 _seen_from_chain(first, data, rows, second, other_data, other_rows, place, points, (other_points[0], (), other_points[2]))
             )
             px, py, share = x + c*px - s*py - far*nx, y + s*px + c*py - far*ny, 1 - far*bend
-            found.append(ca.vertcat(h, nx, ny, px, py, share, far*share, bend, one, two))
+            found.append(ca.vertcat(h, nx, ny, px, py, share, far*share, bend, *parameters))
         if other_points[0] or other_points[1]:
             back = ca.vertcat(-c*x - s*y, s*x - c*y, c, -s)
-            h, nx, ny, far, bend, px, py, radius, two, one = ca.vertsplit(
+            h, nx, ny, far, bend, px, py, radius, two, one, other, own = ca.vertsplit(
                 _seen_from_chain(second, other_data, other_rows, first, data, rows, back, other_points, points)
             )
             nx, ny, share = s*ny - c*nx, -s*nx - c*ny, radius*bend
-            found.append(ca.vertcat(h, nx, ny, px + radius*nx, py + radius*ny, share, radius*(1 - share), bend, one, two))
+            found.append(ca.vertcat(h, nx, ny, px + radius*nx, py + radius*ny, share, radius*(1 - share), bend, one, two, own, other))
         result = found[0] if len(found) == 1 else ca.if_else(found[0][0] <= found[1][0], *found)
-        _BETWEEN_OF_CHAIN[key] = _called("between", [rows, other_rows, *values, place], result, _slope_between)
+
+        again = ca.Function("again", [rows, other_rows, place], [result[:10]], {"never_inline": True})
+
+        def shaped(rows, other_rows, _, __, place, ___):
+            return *(ca.jacobian(again(rows, other_rows, place), x) for x in (rows, other_rows)), None, None
+
+        _BETWEEN_OF_CHAIN[key] = _called("between", [rows, other_rows, *values, place], result, _slope_between, shaped)
     return _BETWEEN_OF_CHAIN[key](samples, others, given, other_given, pose)
 
 

@@ -13,6 +13,7 @@ They are found after the run, from its steps: a run that is not asked pays nothi
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from copy import copy
 from dataclasses import replace
 from typing import Any
 
@@ -22,7 +23,9 @@ import numpy as np
 from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
 from hertzwerk.runtime.engine.accuracy.error_estimate import VALID
 from hertzwerk.runtime.engine.integration.events.effect_events import jump
+from hertzwerk.runtime.engine.integration.loop.attempt import Integrator, integrator
 from hertzwerk.runtime.engine.integration.step.layout import FLIGHT
+from hertzwerk.runtime.engine.integration.tableaux.methods import Table
 from hertzwerk.runtime.engine.model.binding import Value, times_within
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.free_quantities import quantities
@@ -77,6 +80,26 @@ def _start_by_parameters(model: EngineModel) -> Callers:
     p = ca.SX.sym("p", len(model.parameters))
     start = ca.vertcat(*map(ca.SX, model.module.start(p)))
     return Callers(ca.Function("start_by_p", [p], [ca.densify(ca.jacobian(start, p))]))
+
+
+def _with_shapes(history: History) -> History:
+    """Return steps whose functions have derivatives by what shapes curves, where the model searches along some."""
+    if not hasattr(history.model.module, "_SHAPED"):
+        return history
+    engine = _shaped_engine(history.engine.model, history.engine.requested)
+    return History(_shaped(history.model), history.rows, history.controls, engine, p=history.p)
+
+
+@per_model
+def _shaped(model: EngineModel) -> EngineModel:
+    shaped = copy(model)  # of a module of its own
+    vars(shaped.module)["_SHAPED"] = True
+    return shaped
+
+
+@per_model
+def _shaped_engine(model: EngineModel, tables: tuple[Table, ...]) -> Integrator:
+    return integrator(_shaped(model), tables)
 
 
 @per_model
@@ -136,7 +159,7 @@ class Sensitivities:
         *,
         compiled: bool = False,
     ) -> None:
-        self.history, self.names = history, names
+        self.names = names
         model = history.model
         known = quantities(model)
         faults = [
@@ -147,6 +170,8 @@ class Sensitivities:
         if not names:
             faults.append(Fault("names", "none", "parameters or initial states", f"such as {next(iter(known))!r}"))
         refuse(f"sensitivities of {model.name}", faults)
+        self.history = history = _with_shapes(history)
+        model = history.model
         dp = np.array([[float(parameter == name) for name in names] for parameter in model.parameters])
         self._directions = directions_of(model, bound.p, bound.c, dp.reshape(-1, len(names)))
         begin = start_changes(model, bound, initial, names)

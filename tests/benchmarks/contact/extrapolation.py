@@ -37,10 +37,10 @@ def step(f: Rates, t: Any, y: np.ndarray, h: Any) -> tuple[np.ndarray, np.ndarra
 def integrate(problem: Any, times: np.ndarray, tolerance: float, longest: float) -> tuple[np.ndarray, np.ndarray]:
     """Return states at the times, and onsets of impacts.
 
-    `tolerance` is relative to the largest value that each state has had.
+    `tolerance` is relative to the largest value that each state has had, or to the problem's smallest size.
     """
     t, y = REAL(0), problem.start.astype(REAL)
-    size = np.maximum(np.abs(y), 1e-3)
+    size = np.maximum(np.abs(y), problem.smallest)
     on = problem.memory.astype(REAL)
     states, onsets, h = [], [], REAL(longest) / 10
     for end in times:

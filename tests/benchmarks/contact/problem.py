@@ -39,6 +39,7 @@ class Problem:
     compared    number of coordinates that are compared, the first of the state
     unit        of the error
     longest     step of the reference [s], within which no contact begins and ends
+    smallest    size of a state below which the reference's error is absolute, not relative
     weights     factors of the compared coordinates in an error
     latched     (t, y) -> numbers that are kept from the onset of a contact
     opens       (t, y, m) -> functions at whose rise through 0 a contact ends, where these are not the gaps
@@ -60,6 +61,7 @@ class Problem:
     compared: int
     unit: str = "m"
     longest: float = 2e-3
+    smallest: float = 1e-3
     margin: float = 0.0
     targets: tuple[float, ...] = (1e-3, 1e-5, 1e-7, 1e-9)
     remark: str = ""

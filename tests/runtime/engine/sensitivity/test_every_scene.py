@@ -24,7 +24,8 @@ SHORT = {  # within the horizon of derivatives: with some impacts, before they h
     "cam_follower": "5 ms", "woodpecker": "20 ms", "andrews_squeezer": "3 ms", "geared_hoist": "0.2 s",
     "gears_with_backlash": "15 ms", "geneva_drive": "30 ms", "ball_bearing": "0.3 ms", "ball_on_oil": "8 ms",
 }  # fmt: skip
-TELLING = ("restitution", "clearance", "friction", "mu", "mass", "gravity", "stiffness", "length", "inertia")
+TELLING = ("lift", "thinning", "rim", "radius", "restitution", "clearance", "friction", "mu", "mass", "gravity", "stiffness",
+           "length", "inertia")  # fmt: skip
 STEP, HALVINGS = 1e-3, 5  # of a parameter: the first, largest difference, and how many there are
 BOUND, SURE = 1e-6, 1e-7  # of the largest derivative of a history: error, and doubt in a difference that can judge it
 SEEN = 1e-8  # of a state, by a change of a parameter of its own size: less is the rounding of what is zero by structure
@@ -38,7 +39,7 @@ def case(scene, coordinates):
     except InputError as refused:
         pytest.skip(str(refused).splitlines()[0])
     bound, units = model.bind(), si_units(model)
-    named = [name for name in model.parameters if bound[name] and any(part in name for part in TELLING)][:5]
+    named = [name for name in model.parameters if bound[name] and any(part in name for part in TELLING)][:6]
     named = named or [*model.parameters][:3]
     states = [*model.coordinates, *model.speeds]
 

@@ -173,6 +173,15 @@ def test_every_method_in_the_graph(ball, method):
             assert derivatives[state, name][-1] == pytest.approx(exact[state, name][-1], rel=2e-6), name
 
 
+def test_what_shapes_a_cam_moves_its_follower():
+    """By differences of runs; the way of a roller's centre does not depend on its radius, as the rim follows it."""
+    cam, how = engine_model("cam_follower"), {"duration": "2 ms", "tolerance": 1e-12}
+    compared(cam, ("lift", "base", "cam_speed"), ("guide.travel", "guide.speed"), **how)
+    derivatives = made(cam, **how).sensitivities("roller_radius", "lift")
+    assert np.abs(derivatives["guide.travel", "roller_radius"]).max() < 1e-9
+    assert np.abs(derivatives["guide.travel", "lift"]).max() > 1e-3
+
+
 def test_every_history_has_a_derivative(crank):
     """By differences at a time of its own, in contact: forces, gaps, energies, readings of bodies, contacts and joints."""
     names = ("slider_pin.normal_force", "slider_pin.penetration", "slider_pin.gap", "slider_pin.gap_rate", "energy",

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from derived import Derived
 from mpmath import mp
-from plane_pairs import CAM, ECCENTRIC, LOBED, OVAL, PLATE, A, B, R, check_gradient, gaps, scene
+from plane_pairs import BLOCK, CAM, ECCENTRIC, LOBED, OVAL, PLATE, A, B, R, check_gradient, check_shapes, gaps, scene
 from scipy.interpolate import make_interp_spline
 
 import hertzwerk.derive as hd
@@ -103,6 +103,15 @@ def test_distances_beside_a_hollow_and_beyond_an_end(made):
 
 def test_forces_are_minus_the_gradient_of_the_stored_energy(made):
     check_gradient(made(circle(OVAL)), [(0.4, 0.03, 0.028, 0.2)])
+
+
+def test_derivatives_by_shapes_and_places_are_differences(made):
+    block = hd.FaceOnCurve("touch", PLATE.at(0, 0, 0), -hd.Y, BLOCK, CAM.at(0, 0, 0))
+    states = [(0.4, 0.03, 0.028, 0.2), (2.0, -0.02, 0.05, -0.3)]
+    for pair in (FACE, point(LOBED), point(ARCH), circle(BLOCK), block):
+        check_shapes(made(pair), states)
+        with pytest.raises(AssertionError, match="gaps"):
+            check_shapes(made(pair), states, shaped=False)
 
 
 def test_a_table_of_points_is_the_smooth_curve_through_them(made):
