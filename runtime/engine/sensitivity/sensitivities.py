@@ -83,7 +83,7 @@ def _start_by_parameters(model: EngineModel) -> Callers:
 
 
 def _with_shapes(history: History) -> History:
-    """Return steps whose functions have derivatives by what shapes curves, where the model searches along some."""
+    """Return the steps with functions that have derivatives by the shapes of curves, if any."""
     if not hasattr(history.model.module, "_SHAPED"):
         return history
     engine = _shaped_engine(history.engine.model, history.engine.requested)

@@ -173,7 +173,7 @@ def test_every_method_in_the_graph(ball, method):
             assert derivatives[state, name][-1] == pytest.approx(exact[state, name][-1], rel=2e-6), name
 
 
-def test_what_shapes_a_cam_moves_its_follower():
+def test_shape_parameters_of_a_cam_have_derivatives():
     """By differences of runs; the way of a roller's centre does not depend on its radius, as the rim follows it."""
     cam, how = engine_model("cam_follower"), {"duration": "2 ms", "tolerance": 1e-12}
     compared(cam, ("lift", "base", "cam_speed"), ("guide.travel", "guide.speed"), **how)
