@@ -6,6 +6,17 @@ import pytest
 
 from reference import closed_forms
 from reference.laws import EXACT_FACTORS
+from reference.slider_crank import reference
+
+
+@pytest.mark.parametrize("friction, depth", [(False, 7.795e-5), (True, 7.817e-5)])
+def test_published_first_impact(friction, depth):
+    """Independent numbers of issue 2 ("Scenarios"): onset, effective mass, approach, penetration."""
+    hit = reference(friction).impacts[0]
+    assert hit.onset == pytest.approx(2.2728e-4, abs=5e-9)
+    assert hit.effective_mass == pytest.approx(0.14013, abs=5e-6)
+    assert hit.speed == pytest.approx(4.38583, abs=5e-6)
+    assert hit.depth == pytest.approx(depth, rel=1e-4)
 
 
 @pytest.mark.parametrize("e, printed", EXACT_FACTORS.items())

@@ -180,6 +180,21 @@ def assert_predicted(rescaled, excess):
                 assert abs(ratio / predicted - 1) < mpf(10) ** -12
 
 
+@each(
+    ("name", "what", "excess"),
+    [
+        ("liu", "normal force", (0, -1, 0, 0, 0)),
+        ("bai_zhao", "normal force", (0, -0.5, 0, 0, 0)),
+        ("goldsmith", "definition of B", (0, -2, 0, 0, 0)),
+        ("palmgren", "normal force", (-1, 1, 2, 0, 0)),
+        ("pereira_internal", "definition of n", (0, -0.005, 0, 0, 0)),
+    ],
+)
+def test_rescaling_reads_off_the_wrong_power(name, what, excess):
+    (row,) = (row for row in rescale_law(LAWS[name]) if row.what == what)
+    assert row.excess == pytest.approx(excess, abs=1e-12)
+
+
 def test_states_span_every_branch():
     """Both sides of each choice are among the states, and both signs of a rate."""
     for name in ("ambrosio", "bengisu_akay", "pereira_internal_si", "jankowski", "threlfall"):

@@ -50,6 +50,21 @@ def test_a_pendulum_strikes_a_wall_as_the_native_one_does():
     )
 
 
+def test_a_disc_that_rolls_upright_wobbles_at_the_frequency_of_theory():
+    # thin disc, spin W, small lean x: 5/4 x'' = g/r x - 3/2 W y', 1/4 y'' = 1/2 W x' for the yaw y (Neimark, Fufaev 1972, chapter 4)
+    method, units, values = models.rolling_disc()
+    model = hd.from_sympy(method, units=units, parameters=values, name="disc")
+    r = model.parameters["r"]
+    scene = model.scene(
+        effects=(hd.EnergyLedger(),), scales=hd.Scales(length=r, speed=hd.Parameter("pace", "m/s", 1), arm=r),
+        start=hd.Start(position={"q2": hd.Parameter("lean", "rad", 1e-5)}, speed={"u2": hd.Parameter("spin", "rad/s", 8)}),
+    )  # fmt: skip
+    run = simulate(load(scene), duration="1 s", accuracy=1e-12)
+    square = 12 / 5 * 8**2 - 4 / 5 * 9.81 / 0.3
+    middle = 1e-5 * 12 / 5 * 8**2 / square
+    assert run["q2.angle"] == pytest.approx(middle + (1e-5 - middle) * np.cos(math.sqrt(square) * run.t), abs=1e-12)
+
+
 @pytest.mark.parametrize(
     ("arm", "where", "found"),
     [

@@ -9,14 +9,14 @@ from each import each
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from hertzwerk.derive import audit_scene, generate, laws_from
+from hertzwerk.derive import InconsistentUnits, Parameter, audit_scene, generate, laws_from
 from hertzwerk.derive.audit.audit import audit_law, verdict
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.exchange.user_files.law_file import audit_laws_as_written, read_laws
 from hertzwerk.derive.expressions.parameter import Interval
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import APPROACH_SPEED, DampingLaw, FrictionLaw, Law, Quantity, StiffnessLaw, d, dR, s
-from hertzwerk.derive.scenes import two_spheres
+from hertzwerk.derive.scenes import soft_ball, two_spheres
 
 FOAM = """
 [[law]]
@@ -228,6 +228,16 @@ def test_a_scene_uses_a_law_of_a_file_like_a_built_in_one(file):
     changed = [pair for pair in changed if not pair[0].startswith("DIGEST = ")]  # of the text
     assert changed
     assert all("my_hertz" in one and one.replace("my_hertz", "hertz_point") == other for one, other in changed)
+
+
+def test_a_scene_with_an_inconsistent_law_of_a_file_is_refused(file):
+    text = "\n".join(line for line in FOAM.splitlines() if not line.startswith("ranges.dR"))  # a plane has no clearance
+    law = laws_from(file(text.replace("N/m^n", "N/m^1.5")))["foam"]
+    contact = soft_ball.scene.effect("floor")
+    K = Parameter("K", "N/m^1.5", 1e6)
+    scene = soft_ball.scene.replace(floor=replace(contact, stiffness=law(K, 1.1)))
+    with pytest.raises(InconsistentUnits, match="Foam pad"):
+        generate(scene, "a test")
 
 
 # --- faults ---------------------------------------------------------------------------------------------------------
