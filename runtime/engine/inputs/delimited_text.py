@@ -10,6 +10,7 @@ import csv
 import io
 import re
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import zip_longest
@@ -43,8 +44,7 @@ PROOF = {  # of a decimal mark: what no number has whose marks part thousands
 UNEVEN = "?"  # cells of a line with more or fewer than there are headings
 LABVIEW, MOTION_CAPTURE = "LabVIEW Measurement", "PathFileType"  # the first words of files that state units in a header
 REMARKS = "comment"  # heading of the last column that LabVIEW writes, whose cells may be left out
-LOST = "\ufffd"  # stands for bytes that have no meaning in an encoding
-UNPRINTED = re.compile(rf"[\0-\x08\x0e-\x1f{LOST}]")  # in no text
+UNPRINTED = re.compile(r"[\0-\x08\x0e-\x1f]")  # in no text
 
 
 def text_of(path: Path) -> str:
@@ -53,14 +53,15 @@ def text_of(path: Path) -> str:
         raw = path.read_bytes()
     except OSError as error:
         raise InputError("measurement", [unreadable(path, error, "a CSV file")]) from error
-    encoding = "utf-8-sig"
+    encodings, text = ["utf-8-sig", "latin-1"], "\0"
     if raw[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        encoding = "utf-16"
+        encodings = ["utf-16"]
     elif b"\0" in raw[:2]:
-        encoding = "utf-16-be" if raw[:1] == b"\0" else "utf-16-le"
-    text = raw.decode(encoding, "replace")
-    if encoding == "utf-8-sig" and LOST in text:
-        text = raw.decode("latin-1")
+        encodings = ["utf-16-be" if raw[:1] == b"\0" else "utf-16-le"]
+    for encoding in encodings:
+        with suppress(UnicodeDecodeError):
+            text = raw.decode(encoding)
+            break
     if UNPRINTED.search(text):
         actual = "bytes that are not UTF-8, UTF-16 or Latin-1 text; save a workbook as CSV first"
         raise InputError("measurement", [Fault(str(path), actual, "a CSV file")])

@@ -160,6 +160,7 @@ FILES = {
     "excel, decimal commas between commas": File("t [s],x [mm]\n0,5,1,5\n1,0,2,5\n", "found 4 cells; expected 2"),
     "excel, quoted decimal commas": File('"t [s]","x [mm]"\n"0,5","1,5"\n"1","2"\n', ([0.5, 1], {"x": [1.5, 2]}, "mm")),
     "excel, unicode text": File("t [s]\tx [mm]\r\n0\t1.5\r\n1\t2.5\r\n", ([0, 1], {"x": [1.5, 2.5]}, "mm"), encoding="utf-16"),
+    "a letter lost before": File("t [s];x\ufffd [mm]\n0;1.5\n1;2.5\n", ([0, 1], {"x\ufffd": [1.5, 2.5]}, "mm")),
     "excel, separator stated": File("sep=;\nt [s];x [mm]\n0;1.5\n1;2.5\n", ([0, 1], {"x": [1.5, 2.5]}, "mm")),
     "excel, dates": File("t [s];x [mm]\n27.11.2026;1.5\n28.11.2026;2.5\n", "'27.11.2026'; expected a finite number"),
     "excel, a workbook": File("PK\x03\x04\x14\x00\x06\x00", "save a workbook as CSV first"),
