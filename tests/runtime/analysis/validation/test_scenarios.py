@@ -106,7 +106,7 @@ FAULTS = {
     "slider_crank_line": ("rod_length = 0.1212 m", "impacts.0.speed", "1 ms"),
     "spheres_in_box": ("density = 1111 kg/m^3", "final.floor_1.normal_force", ""),
     "lubricated_slider_crank": ("viscosity = 5.05 mPa s", "impacts.0.t", "1 ms"), "housner_block": ("tilt = 0.101 rad", "impacts.1.t", "0.5 s"),
-    "worn_track": ("radius = 4.81 mm", "final.wear.track_6", ""), "worn_slider_crank": ("rod_length = 0.1212 m", "impacts.0.t", "1 ms"),
+    "worn_track": ("wear_rate = 1.01e-4 mm^3/(N m)", "final.wear.volume", ""), "worn_slider_crank": ("rod_length = 0.1212 m", "impacts.0.t", "1 ms"),
     "yielding_ball": ("yield_strength = 1010 MPa", "impacts.1.speed", ""), "two_spheres": ("mass = 0.09292 kg", "impacts.0.peak_penetration", ""),
 }  # fmt: skip
 
