@@ -12,28 +12,14 @@ from hertzwerk.runtime.handbook.reference_pages import laws_page
 from hertzwerk.runtime.handbook.web_pages import build, sphinx
 
 
-@pytest.fixture(scope="module")
-def built(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("pages")
-    return folder, build(folder, main, pictures=False)
-
-
 @pytest.mark.slow
-def test_sphinx_has_no_warnings(built):
-    assert built[1] == ""
-
-
-@pytest.mark.slow
-def test_search_prefers_titles_with_the_words_of_the_query(built):
-    assert "8 * found.length" in (built[0] / "_static" / "language_data.js").read_text(encoding="utf-8")
-
-
-@pytest.mark.slow
-def test_pages_request_nothing_from_a_network(built):
-    """Links that a reader follows aside."""
-    pages = list(built[0].rglob("*.html"))
+def test_pages_have_no_warnings_request_nothing_and_search_prefers_titles(tmp_path):
+    """One build: each worker would make its own. Links that a reader follows aside."""
+    assert build(tmp_path, main, pictures=False) == ""
+    pages = list(tmp_path.rglob("*.html"))
     assert len(pages) > 5
     assert [(page.name, url) for page in pages for url in requested(page.read_text(encoding="utf-8"))] == []
+    assert "8 * found.length" in (tmp_path / "_static" / "language_data.js").read_text(encoding="utf-8")
 
 
 class Answer(BaseHTTPRequestHandler):
