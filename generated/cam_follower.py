@@ -17,7 +17,7 @@ NAME = "cam_follower"
 SOURCE = "derive/scenes/cam_follower.py"
 SUMMARY = "cam whose roller follower lifts off"
 FORMAT = "hertzwerk module 1"
-DIGEST = "b7c5475e58ecdf72b61d96e82d61dca7"
+DIGEST = "c3d107693182cc12d9f34d53db953a21"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("motor", "drive", "constant speed of shaft"),
@@ -123,23 +123,21 @@ GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS
 
 
 def _called(name, inputs, result, slope, shaped):
-    """Function that is called, not expanded, with its derivatives: by the last input slope(it, what is found), by others shaped(all of these).
+    """Function that is called, not expanded, with its derivatives: by the last input slope(it, what is found), by others none.
 
-    `shaped` gives those of the first rows by the others, None by one that only leads to the result. They take time, and are
-    zero unless _SHAPED: a run has no use for them.
+    If _SHAPED they are shaped(all of these), by every input, of the first rows; None by one that only leads to the result.
+    These take time, and a run has no use for them.
     """
-    *others, last = [ca.SX.sym("i", x.shape) for x in inputs]
+    *others, last = plain = [ca.SX.sym("i", x.shape) for x in inputs]
     n, names, o = result.numel(), [f"i{k}" for k in range(len(inputs))], ca.SX.sym("o", result.numel())
+    blocks = shaped(*plain, o) if _SHAPED else [*(None for _ in others), slope(last, o)]
     slopes = [
         ca.SX(n, x.numel()) if block is None else ca.vertcat(block, ca.SX(n - block.size1(), x.numel()))
-        for x, block in zip(others, shaped(*others, last, o) if _SHAPED else [None for _ in others], strict=True)
+        for x, block in zip(plain, blocks, strict=True)
     ]
-    slopes = ca.Function(
-        f"jac_{name}", [*others, last, o], [*slopes, slope(last, o)], [*names, "out_found"], [f"jac_found_{k}" for k in names],
-    )
+    slopes = ca.Function(f"jac_{name}", [*plain, o], slopes, [*names, "out_found"], [f"jac_found_{k}" for k in names])
     called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
     return ca.Function(name, inputs, [ca.densify(result)], names, ["found"], called)
-
 
 _SHAPED = False
 
@@ -209,10 +207,10 @@ def _nearest(curve, data, samples, given, point):
 
         def slope(_, o):
             t = ca.vertcat(-o[2], o[1])
-            return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T, ca.SX(1, 2))
+            return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T)
 
         def shaped(_, values, point, o):
-            return None, ca.jacobian(again(o[4], point, values)[:5], values)
+            return None, *(ca.jacobian(again(o[4], point, values)[:5], x) for x in (values, point))
 
         _NEAREST[curve] = _called("nearest", [table, values, at_point], result[:6], slope, shaped)
     return _NEAREST[curve](samples, given, point)

@@ -16,7 +16,7 @@ NAME = "gears_with_backlash"
 SOURCE = "derive/scenes/gears_with_backlash.py"
 SUMMARY = "idle gear that rattles within its backlash"
 FORMAT = "hertzwerk module 1"
-DIGEST = "cf8afcda5fd58d5040bb45d2366ac722"
+DIGEST = "06a6b980b8bcead43c351b10509557dd"
 
 EFFECTS = (
     ("engine", "drive", "position of input = pinion_speed*t + swing*(1 - cos(firing*t))/firing**2"),
@@ -190,23 +190,21 @@ GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS
 
 
 def _called(name, inputs, result, slope, shaped):
-    """Function that is called, not expanded, with its derivatives: by the last input slope(it, what is found), by others shaped(all of these).
+    """Function that is called, not expanded, with its derivatives: by the last input slope(it, what is found), by others none.
 
-    `shaped` gives those of the first rows by the others, None by one that only leads to the result. They take time, and are
-    zero unless _SHAPED: a run has no use for them.
+    If _SHAPED they are shaped(all of these), by every input, of the first rows; None by one that only leads to the result.
+    These take time, and a run has no use for them.
     """
-    *others, last = [ca.SX.sym("i", x.shape) for x in inputs]
+    *others, last = plain = [ca.SX.sym("i", x.shape) for x in inputs]
     n, names, o = result.numel(), [f"i{k}" for k in range(len(inputs))], ca.SX.sym("o", result.numel())
+    blocks = shaped(*plain, o) if _SHAPED else [*(None for _ in others), slope(last, o)]
     slopes = [
         ca.SX(n, x.numel()) if block is None else ca.vertcat(block, ca.SX(n - block.size1(), x.numel()))
-        for x, block in zip(others, shaped(*others, last, o) if _SHAPED else [None for _ in others], strict=True)
+        for x, block in zip(plain, blocks, strict=True)
     ]
-    slopes = ca.Function(
-        f"jac_{name}", [*others, last, o], [*slopes, slope(last, o)], [*names, "out_found"], [f"jac_found_{k}" for k in names],
-    )
+    slopes = ca.Function(f"jac_{name}", [*plain, o], slopes, [*names, "out_found"], [f"jac_found_{k}" for k in names])
     called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
     return ca.Function(name, inputs, [ca.densify(result)], names, ["found"], called)
-
 
 _SHAPED = False
 
@@ -220,8 +218,7 @@ def _slope_between(pose, found):
         slide = nx*vy - ny*vx
         normal, foot = bend*slide + (1 - share)*turn, share*slide + rolling*turn
         parameters = own*(slide + h*turn - foot - h*normal), other*foot
-        rest = ca.SX(found.numel() - 10, 1)
-        columns.append(ca.vertcat(nx*vx + ny*vy, -ny*normal, nx*normal, -ny*foot, nx*foot, ca.SX(3, 1), *parameters, rest))
+        columns.append(ca.vertcat(nx*vx + ny*vy, -ny*normal, nx*normal, -ny*foot, nx*foot, ca.SX(3, 1), *parameters))
     return ca.horzcat(*columns)
 
 
@@ -385,7 +382,7 @@ def _between(first, first_data, second, second_data, samples, other_samples, giv
 
         def shaped(_, __, first_values, second_values, place, o):
             value, _ = seen(o[12:14], ca.vertsplit(o[14:16]), again, place, first_values, second_values)
-            return None, None, *(ca.jacobian(ca.vertcat(*value[:10]), x) for x in (first_values, second_values))
+            return None, None, *(ca.jacobian(ca.vertcat(*value[:10]), x) for x in (first_values, second_values, place))
 
         _BETWEEN[first, second, which] = _called("between", [*tables, *values, place], result, _slope_between, shaped)
     return _BETWEEN[first, second, which](samples, other_samples, given, other_given, pose)

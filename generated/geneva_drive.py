@@ -15,7 +15,7 @@ NAME = "geneva_drive"
 SOURCE = "derive/scenes/geneva_drive.py"
 SUMMARY = "a pin turns a slotted wheel, a disc locks it"
 FORMAT = "hertzwerk module 1"
-DIGEST = "6918faedb9a038371e62d14ce87fb8de"
+DIGEST = "47c3c19e3ee494ee78fc9fb1fb471c66"
 
 EFFECTS = (
     ("motor", "drive", "constant speed of shaft"), ("slot", "contact", "power x power_damping"),
@@ -178,23 +178,21 @@ GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS
 
 
 def _called(name, inputs, result, slope, shaped):
-    """Function that is called, not expanded, with its derivatives: by the last input slope(it, what is found), by others shaped(all of these).
+    """Function that is called, not expanded, with its derivatives: by the last input slope(it, what is found), by others none.
 
-    `shaped` gives those of the first rows by the others, None by one that only leads to the result. They take time, and are
-    zero unless _SHAPED: a run has no use for them.
+    If _SHAPED they are shaped(all of these), by every input, of the first rows; None by one that only leads to the result.
+    These take time, and a run has no use for them.
     """
-    *others, last = [ca.SX.sym("i", x.shape) for x in inputs]
+    *others, last = plain = [ca.SX.sym("i", x.shape) for x in inputs]
     n, names, o = result.numel(), [f"i{k}" for k in range(len(inputs))], ca.SX.sym("o", result.numel())
+    blocks = shaped(*plain, o) if _SHAPED else [*(None for _ in others), slope(last, o)]
     slopes = [
         ca.SX(n, x.numel()) if block is None else ca.vertcat(block, ca.SX(n - block.size1(), x.numel()))
-        for x, block in zip(others, shaped(*others, last, o) if _SHAPED else [None for _ in others], strict=True)
+        for x, block in zip(plain, blocks, strict=True)
     ]
-    slopes = ca.Function(
-        f"jac_{name}", [*others, last, o], [*slopes, slope(last, o)], [*names, "out_found"], [f"jac_found_{k}" for k in names],
-    )
+    slopes = ca.Function(f"jac_{name}", [*plain, o], slopes, [*names, "out_found"], [f"jac_found_{k}" for k in names])
     called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
     return ca.Function(name, inputs, [ca.densify(result)], names, ["found"], called)
-
 
 _SHAPED = False
 
@@ -208,8 +206,7 @@ def _slope_between(pose, found):
         slide = nx*vy - ny*vx
         normal, foot = bend*slide + (1 - share)*turn, share*slide + rolling*turn
         parameters = own*(slide + h*turn - foot - h*normal), other*foot
-        rest = ca.SX(found.numel() - 10, 1)
-        columns.append(ca.vertcat(nx*vx + ny*vy, -ny*normal, nx*normal, -ny*foot, nx*foot, ca.SX(3, 1), *parameters, rest))
+        columns.append(ca.vertcat(nx*vx + ny*vy, -ny*normal, nx*normal, -ny*foot, nx*foot, ca.SX(3, 1), *parameters))
     return ca.horzcat(*columns)
 
 
@@ -332,12 +329,12 @@ def _nearest_of_chain(pieces, data, samples, given, point):
 
         def slope(_, o):
             t = ca.vertcat(-o[2], o[1])
-            return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T, ca.SX(1, 2))
+            return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T)
 
         again = ca.Function("again", [rows, p], [result[:5]], {"never_inline": True})
 
         def shaped(rows, _, p, __):
-            return ca.jacobian(again(rows, p), rows), None
+            return ca.jacobian(again(rows, p), rows), None, ca.jacobian(again(rows, p), p)
 
         _NEAREST_OF_CHAIN[pieces] = _called("nearest", [rows, values, p], result, slope, shaped)
     return _NEAREST_OF_CHAIN[pieces](samples, given, point)
@@ -433,7 +430,8 @@ def _between_of_chain(first, data, second, other_data, samples, others, given, o
         again = ca.Function("again", [rows, other_rows, place], [result[:10]], {"never_inline": True})
 
         def shaped(rows, other_rows, _, __, place, ___):
-            return *(ca.jacobian(again(rows, other_rows, place), x) for x in (rows, other_rows)), None, None
+            first, second, moved = (ca.jacobian(again(rows, other_rows, place), x) for x in (rows, other_rows, place))
+            return first, second, None, None, moved
 
         _BETWEEN_OF_CHAIN[key] = _called("between", [rows, other_rows, *values, place], result, _slope_between, shaped)
     return _BETWEEN_OF_CHAIN[key](samples, others, given, other_given, pose)

@@ -46,13 +46,14 @@ def check_shapes(derived, states, h=1e-6, shaped=True):
     derived = Derived(text=derived.text)
     derived.names["_SHAPED"] = shaped
     constants, u = (lambda p: derived.call("constants", p=p)), np.array([0.2, -0.3, 0.4, 0.5])
+    a = np.array([0.6, 0.1, -0.2, 0.3])
     steps = [h * at * unit for at, unit in zip(derived.p, np.eye(len(derived.p)), strict=True)]
     moved = {"c": [(constants(derived.p + step), constants(derived.p - step)) for step in steps]}
     for q in map(np.array, states):
         moved["q"] = [(q + h * unit, q - h * unit) for unit in np.eye(4)]
         for which, pairs in moved.items():
-            for function, result in (("gaps", 0), ("gaps", 1), ("outputs", 0)):
-                given = {"q": q, "u": u, "c": derived.c}
+            for function, result in (("gaps", 0), ("gaps", 1), ("gap_accelerations", 0), ("outputs", 0)):
+                given = {"q": q, "u": u, "a": a, "c": derived.c}
 
                 def value(x, name=which, function=function, result=result, given=given):
                     return np.atleast_2d(derived.call(function, **{**given, name: x}))[result]

@@ -112,12 +112,12 @@ _ON_CHAIN: "dict[object, ca.Function]" = {}''',
 
         def slope(_, o):
             t = ca.vertcat(-o[2], o[1])
-            return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T, ca.SX(1, 2))
+            return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T)
 
         again = ca.Function("again", [rows, p], [result[:5]], {"never_inline": True})
 
         def shaped(rows, _, p, __):
-            return ca.jacobian(again(rows, p), rows), None
+            return ca.jacobian(again(rows, p), rows), None, ca.jacobian(again(rows, p), p)
 
         _NEAREST_OF_CHAIN[pieces] = _called("nearest", [rows, values, p], result, slope, shaped)
     return _NEAREST_OF_CHAIN[pieces](samples, given, point)
@@ -150,12 +150,12 @@ _NEAREST_OF_CHAIN: "dict[object, ca.Function]" = {}''',
 
         def slope(towards, o):
             t = ca.vertcat(-towards[1], towards[0])
-            return ca.vertcat(-o[2]*t@t.T, ca.SX(1, 2), o[4]*t.T, ca.SX(1, 2))
+            return ca.vertcat(-o[2]*t@t.T, ca.SX(1, 2), o[4]*t.T)
 
-        again = ca.Function("again", [rows, m], [result[:4]], {"never_inline": True})
+        again = ca.Function("again", [rows, m], [result[:4]])
 
         def shaped(rows, _, m, __):
-            return ca.jacobian(again(rows, m), rows), None
+            return ca.jacobian(again(rows, m), rows), None, ca.jacobian(again(rows, m), m)
 
         _SUPPORT_OF_CHAIN[pieces] = _called("support", [rows, values, m], result, slope, shaped)
     return _SUPPORT_OF_CHAIN[pieces](samples, given, direction)
@@ -247,7 +247,8 @@ _SUPPORT_OF_CHAIN: "dict[object, ca.Function]" = {}''',
         again = ca.Function("again", [rows, other_rows, place], [result[:10]], {"never_inline": True})
 
         def shaped(rows, other_rows, _, __, place, ___):
-            return *(ca.jacobian(again(rows, other_rows, place), x) for x in (rows, other_rows)), None, None
+            first, second, moved = (ca.jacobian(again(rows, other_rows, place), x) for x in (rows, other_rows, place))
+            return first, second, None, None, moved
 
         _BETWEEN_OF_CHAIN[key] = _called("between", [rows, other_rows, *values, place], result, _slope_between, shaped)
     return _BETWEEN_OF_CHAIN[key](samples, others, given, other_given, pose)

@@ -2,23 +2,21 @@
 
 CURVE_HELPERS = {
     "_called": '''def _called(name, inputs, result, slope, shaped):
-    """Function that is called, not expanded, with its derivatives: by the last input slope(it, what is found), by others shaped(all of these).
+    """Function that is called, not expanded, with its derivatives: by the last input slope(it, what is found), by others none.
 
-    `shaped` gives those of the first rows by the others, None by one that only leads to the result. They take time, and are
-    zero unless _SHAPED: a run has no use for them.
+    If _SHAPED they are shaped(all of these), by every input, of the first rows; None by one that only leads to the result.
+    These take time, and a run has no use for them.
     """
-    *others, last = [ca.SX.sym("i", x.shape) for x in inputs]
+    *others, last = plain = [ca.SX.sym("i", x.shape) for x in inputs]
     n, names, o = result.numel(), [f"i{k}" for k in range(len(inputs))], ca.SX.sym("o", result.numel())
+    blocks = shaped(*plain, o) if _SHAPED else [*(None for _ in others), slope(last, o)]
     slopes = [
         ca.SX(n, x.numel()) if block is None else ca.vertcat(block, ca.SX(n - block.size1(), x.numel()))
-        for x, block in zip(others, shaped(*others, last, o) if _SHAPED else [None for _ in others], strict=True)
+        for x, block in zip(plain, blocks, strict=True)
     ]
-    slopes = ca.Function(
-        f"jac_{name}", [*others, last, o], [*slopes, slope(last, o)], [*names, "out_found"], [f"jac_found_{k}" for k in names],
-    )
+    slopes = ca.Function(f"jac_{name}", [*plain, o], slopes, [*names, "out_found"], [f"jac_found_{k}" for k in names])
     called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
     return ca.Function(name, inputs, [ca.densify(result)], names, ["found"], called)
-
 
 _SHAPED = False''',
     "_slope_between": '''def _slope_between(pose, found):
@@ -30,8 +28,7 @@ _SHAPED = False''',
         slide = nx*vy - ny*vx
         normal, foot = bend*slide + (1 - share)*turn, share*slide + rolling*turn
         parameters = own*(slide + h*turn - foot - h*normal), other*foot
-        rest = ca.SX(found.numel() - 10, 1)
-        columns.append(ca.vertcat(nx*vx + ny*vy, -ny*normal, nx*normal, -ny*foot, nx*foot, ca.SX(3, 1), *parameters, rest))
+        columns.append(ca.vertcat(nx*vx + ny*vy, -ny*normal, nx*normal, -ny*foot, nx*foot, ca.SX(3, 1), *parameters))
     return ca.horzcat(*columns)''',
     "_samples": '''def _samples(curve, data, given):
     """Points of a curve at the parameters of its samples, first all x, then all y."""
@@ -104,10 +101,10 @@ _SHAPED = False''',
 
         def slope(_, o):
             t = ca.vertcat(-o[2], o[1])
-            return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T, ca.SX(1, 2))
+            return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T)
 
         def shaped(_, values, point, o):
-            return None, ca.jacobian(again(o[4], point, values)[:5], values)
+            return None, *(ca.jacobian(again(o[4], point, values)[:5], x) for x in (values, point))
 
         _NEAREST[curve] = _called("nearest", [table, values, at_point], result[:6], slope, shaped)
     return _NEAREST[curve](samples, given, point)
@@ -144,10 +141,10 @@ _NEAREST: "dict[object, ca.Function]" = {}''',
 
         def slope(towards, o):
             t = ca.vertcat(-towards[1], towards[0])
-            return ca.vertcat(-o[2]*t@t.T, ca.SX(1, 2), o[4]*t.T, ca.SX(1, 2))
+            return ca.vertcat(-o[2]*t@t.T, ca.SX(1, 2), o[4]*t.T)
 
         def shaped(_, values, along, o):
-            return None, ca.jacobian(again(o[3], along, values)[:4], values)
+            return None, *(ca.jacobian(again(o[3], along, values)[:4], x) for x in (values, along))
 
         _SUPPORT[curve] = _called("support", [table, values, along], result, slope, shaped)
     return _SUPPORT[curve](samples, given, direction)
@@ -296,7 +293,7 @@ _SUPPORT: "dict[object, ca.Function]" = {}''',
 
         def shaped(_, __, first_values, second_values, place, o):
             value, _ = seen(o[12:14], ca.vertsplit(o[14:16]), again, place, first_values, second_values)
-            return None, None, *(ca.jacobian(ca.vertcat(*value[:10]), x) for x in (first_values, second_values))
+            return None, None, *(ca.jacobian(ca.vertcat(*value[:10]), x) for x in (first_values, second_values, place))
 
         _BETWEEN[first, second, which] = _called("between", [*tables, *values, place], result, _slope_between, shaped)
     return _BETWEEN[first, second, which](samples, other_samples, given, other_given, pose)

@@ -13,14 +13,14 @@ from typing import Any
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
+from hertzwerk.derive.common.faults import InputError, refuse, shown, unknown
 from hertzwerk.runtime.analysis.rigid_limit.rigid_equations import Equations
 from hertzwerk.runtime.analysis.rigid_limit.rigid_impact import NoSolutionError, RigidImpact
 from hertzwerk.runtime.analysis.rigid_limit.rigid_run import OPEN, SLIDES, Motion, RigidEvent, RigidImpulse, RigidRun
 from hertzwerk.runtime.engine.model.binding import Value, times_within
-from hertzwerk.runtime.engine.model.free_quantities import quantities
+from hertzwerk.runtime.engine.model.free_quantities import derivative_faults
 from hertzwerk.runtime.engine.sensitivity.sensitivities import start_changes
-from hertzwerk.runtime.engine.sensitivity.tangent import directions_of
+from hertzwerk.runtime.engine.sensitivity.tangent import directions_by
 from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
 
@@ -53,14 +53,9 @@ class RigidDerivatives:
         step: float = 1.0,
     ) -> None:
         model, bound = run.equations.model, run.equations.bound
-        known = quantities(model)
-        faults = [unknown("parameter or initial state", name, known) for name in names if name not in known]
-        if not names:
-            faults.append(Fault("names", "none", "parameters or initial states", f"such as {next(iter(known))!r}"))
-        refuse(f"derivatives of {model.name}", faults)
+        refuse(f"derivatives of {model.name}", derivative_faults(model, names))
         self.names, self._run, self._law, self._initial, self._again, self._step = names, run, law, initial, again, step
-        dp = np.array([[float(parameter == name) for name in names] for parameter in model.parameters])
-        self._directions = directions_of(model, bound.p, bound.c, dp)
+        self._directions = directions_by(model, bound, names)
         self.until, self.reason = run.motion.t[-1], ""
         self._starts = np.array([event.t for event in run.motion.events])
         begin = start_changes(model, bound, initial, names)
@@ -96,14 +91,11 @@ class RigidDerivatives:
 
         The end state's is that of changes above its scales, by a parameter of twice its value.
         """
-        finer, sizes = (
-            RigidDerivatives(self._again(), self._law, self._initial, self.names, self._again, self._step / 2),
-            self._run.sizes,
-        )
+        finer = RigidDerivatives(self._again(), self._law, self._initial, self.names, self._again, self._step / 2)
 
         def of(one: RigidDerivatives) -> list[Array]:
             ends = (
-                size * one._changes([self.until], name)[0] / sizes
+                size * one._changes([self.until], name)[0] / self._run.sizes
                 for name, size in zip(self.names, self._directions.sizes, strict=True)
             )
             return [*(one.impulses("t", name) for name in self.names), *ends]

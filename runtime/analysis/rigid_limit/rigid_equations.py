@@ -18,6 +18,7 @@ from hertzwerk.runtime.engine.integration.step.projection import closing
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
+from hertzwerk.runtime.engine.sensitivity.tangent import with_shapes
 from hertzwerk.runtime.engine.solution.impacts import distances
 from hertzwerk.runtime.system.arrays import Array
 
@@ -169,9 +170,9 @@ class Equations:
 
     def at(self, t: float, y: Array) -> State:
         """Return the motion at a time and state y = (q, u)."""
-        return self._shaped(self._evaluate, t, y)
+        return self._state(self._evaluate, t, y)
 
-    def _shaped(self, function: Callers, t: float, y: Array, *more: Array) -> State:
+    def _state(self, function: Callers, t: float, y: Array, *more: Array) -> State:
         nq, nu, m, k = self.model.nq, self.model.nu, self.m, self.model.k
         sizes = ((nq,), (nu,), (m, nu), (m, m), (m,), (m,), (k,))  # by columns
         results = function(t, y[:nq], y[nq:], self._c, *more)
@@ -180,7 +181,7 @@ class Equations:
 
     def changes(self, t: float, y: Array, s: Array, dc: Array) -> State:
         """Return the changes of the motion by those of the state (nq + nu,) and of the constants (nc,)."""
-        return self._shaped(_changes(self.model), t, y, np.concatenate([s, dc]))
+        return self._state(_changes(with_shapes(self.model)), t, y, np.concatenate([s, dc]))
 
     def work(self, t: float, y: Array, forces: Array) -> tuple[float, float]:
         """Return the power [W] of drives and effects under forces (m,), and the work [J] at such impulses."""

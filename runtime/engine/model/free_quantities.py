@@ -37,6 +37,14 @@ def quantities(model: EngineModel) -> dict[str, str]:
     return {name: units[name] for name in (*model.parameters, *model.joints.coordinates, *model.joints.speeds)}
 
 
+def derivative_faults(model: EngineModel, names: Sequence[str]) -> list[Fault]:
+    """Return the faults of names of derivatives: none at all, and names of no parameter or initial state."""
+    known = quantities(model)
+    if not names:
+        return [Fault("names", "none", "parameters or initial states", f"such as {next(iter(known))!r}")]
+    return [unknown("parameter or initial state", name, known) for name in names if not among(name, *known)]
+
+
 def read_quantity(model: EngineModel, name: str, value: Value, where: str, faults: list[Fault]) -> float:
     """Return a value of a parameter or initial state in SI; nan with faults appended."""
     if name not in model.parameters:

@@ -16,7 +16,7 @@ from hertzwerk.runtime.engine.accuracy.error_estimate import LEAST
 from hertzwerk.runtime.engine.integration.loop.near_list import listing
 from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH, METHODS, SUNDIALS
 from hertzwerk.runtime.engine.model.binding import Value, plain_value, read_time
-from hertzwerk.runtime.engine.model.free_quantities import quantities
+from hertzwerk.runtime.engine.model.free_quantities import derivative_faults
 from hertzwerk.runtime.engine.model.model import BoundParameters, Dependent, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.si_values import si_of, si_units
@@ -103,13 +103,7 @@ class Settings:
         if isinstance(names, str) or not isinstance(names, Sequence):
             expected = 'names of parameters and initial states, such as ("restitution",)'
             return [Fault("sensitivities", shown(names), expected)]
-        known = quantities(model) if names else {}
-        faults = [
-            unknown("parameter or initial state", name, known)
-            for name in names
-            if not isinstance(name, str) or name not in known
-        ]
-        return [*faults, *steps_faults("sensitivities", self.method, model)] if names else faults
+        return [*derivative_faults(model, names), *steps_faults("sensitivities", self.method, model)] if names else []
 
     def faults(self) -> list[Fault]:
         """Return the faults of everything but the duration and the grid, which depends on it."""

@@ -13,7 +13,6 @@ They are found after the run, from its steps: a run that is not asked pays nothi
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from copy import copy
 from dataclasses import replace
 from typing import Any
 
@@ -28,7 +27,7 @@ from hertzwerk.runtime.engine.integration.step.layout import FLIGHT
 from hertzwerk.runtime.engine.integration.tableaux.methods import Table
 from hertzwerk.runtime.engine.model.binding import Value, times_within
 from hertzwerk.runtime.engine.model.caller import Callers
-from hertzwerk.runtime.engine.model.free_quantities import quantities
+from hertzwerk.runtime.engine.model.free_quantities import derivative_faults, quantities
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.si_values import ratio
@@ -36,7 +35,7 @@ from hertzwerk.runtime.engine.sensitivity.changes_along_run import follow
 from hertzwerk.runtime.engine.sensitivity.readout import Readout
 from hertzwerk.runtime.engine.sensitivity.saltation import watched_columns
 from hertzwerk.runtime.engine.sensitivity.step_chain import along, later
-from hertzwerk.runtime.engine.sensitivity.tangent import directions_of, tangent
+from hertzwerk.runtime.engine.sensitivity.tangent import directions_by, tangent, with_shapes
 from hertzwerk.runtime.engine.sensitivity.transitions import transitions
 from hertzwerk.runtime.engine.solution.contact_watch import goes_on
 from hertzwerk.runtime.engine.solution.history import History
@@ -84,22 +83,16 @@ def _start_by_parameters(model: EngineModel) -> Callers:
 
 def _with_shapes(history: History) -> History:
     """Return the steps with functions that have derivatives by the shapes of curves, if any."""
-    if not hasattr(history.model.module, "_SHAPED"):
+    model = with_shapes(history.model)
+    if model is history.model:
         return history
     engine = _shaped_engine(history.engine.model, history.engine.requested)
-    return History(_shaped(history.model), history.rows, history.controls, engine, p=history.p)
-
-
-@per_model
-def _shaped(model: EngineModel) -> EngineModel:
-    shaped = copy(model)  # of a module of its own
-    vars(shaped.module)["_SHAPED"] = True
-    return shaped
+    return History(model, history.rows, history.controls, engine, p=history.p, beside=history.beside)
 
 
 @per_model
 def _shaped_engine(model: EngineModel, tables: tuple[Table, ...]) -> Integrator:
-    return integrator(_shaped(model), tables)
+    return integrator(with_shapes(model), tables)
 
 
 @per_model
@@ -159,21 +152,10 @@ class Sensitivities:
         *,
         compiled: bool = False,
     ) -> None:
-        self.names = names
-        model = history.model
-        known = quantities(model)
-        faults = [
-            unknown("parameter or initial state", name, known)
-            for name in names
-            if not isinstance(name, str) or name not in known
-        ]
-        if not names:
-            faults.append(Fault("names", "none", "parameters or initial states", f"such as {next(iter(known))!r}"))
-        refuse(f"sensitivities of {model.name}", faults)
-        self.history = history = _with_shapes(history)
-        model = history.model
-        dp = np.array([[float(parameter == name) for name in names] for parameter in model.parameters])
-        self._directions = directions_of(model, bound.p, bound.c, dp.reshape(-1, len(names)))
+        refuse(f"sensitivities of {history.model.name}", derivative_faults(history.model, names))
+        self.history, self.names = _with_shapes(history), names
+        history, model = self.history, self.history.model
+        self._directions = directions_by(model, bound, names)
         begin = start_changes(model, bound, initial, names)
         self._followed = follow(history, self._directions, begin, frozenset(initial), compiled=compiled)
         self.until, self.reason = self._followed.until, self._followed.reason

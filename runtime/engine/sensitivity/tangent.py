@@ -6,7 +6,8 @@ those, and by the change of parameters and constants. The derivatives are CasADi
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from copy import copy
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +16,7 @@ import numpy as np
 
 from hertzwerk.runtime.engine.integration.step.explicit_step import written_flow
 from hertzwerk.runtime.engine.model.caller import Callers, Rowwise
-from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
@@ -72,6 +73,24 @@ class Directions:
     def count(self) -> int:
         """Number P of directions."""
         return int(self.dp.shape[1])
+
+
+def with_shapes(model: EngineModel) -> EngineModel:
+    """Return the model with derivatives by the shapes of its curves too; itself if it has no curves."""
+    return _shaped(model).with_signals(model.signals) if hasattr(model.module, "_SHAPED") else model
+
+
+@per_model
+def _shaped(model: EngineModel) -> EngineModel:
+    shaped = copy(model)  # of a module of its own
+    vars(shaped.module)["_SHAPED"] = True
+    return shaped
+
+
+def directions_by(model: EngineModel, bound: BoundParameters, names: Sequence[str]) -> Directions:
+    """Return the directions of parameters by name; that of an initial state changes no parameter."""
+    dp = [[float(parameter == name) for name in names] for parameter in model.parameters]
+    return directions_of(model, bound.p, bound.c, np.array(dp).reshape(-1, len(names)))
 
 
 def directions_of(model: EngineModel, p: np.ndarray, c: np.ndarray, dp: np.ndarray) -> Directions:

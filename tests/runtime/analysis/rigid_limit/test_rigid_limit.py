@@ -285,6 +285,17 @@ def test_derivatives_are_those_of_differences_of_runs(case, by):
     assert found.at([end], name, by) == pytest.approx([(states[0] - states[1]) / change], rel=1e-5)
 
 
+def test_shape_parameters_of_a_cam_have_derivatives():
+    def rigid(**lift):
+        how = {"duration": "8 ms", "initial": {"guide.travel": "41 mm"}, "parameters": lift}
+        return rigid_limit("cam_follower", RigidImpact(0.5), **how)
+
+    run, (high, low) = rigid(), (rigid(lift=f"{x} mm") for x in (10.001, 9.999))
+    assert len(run.impulses) == 3
+    change = [(a.t - b.t) / 2e-6 for a, b in zip(high.impulses, low.impulses, strict=True)]
+    assert run.derivatives("lift").impulses("t", "lift") == pytest.approx(change, rel=1e-5)
+
+
 def test_derivatives_end_where_the_motion_is_not_smooth():
     both = rigid_limit(block(0.0), RigidImpact(0.5), duration="0.5 s", initial={"fly.y": "1.2 m"}).derivatives("g")
     assert "foot_1 and foot_2 collide at one instant" in both.reason and both.until == pytest.approx(math.sqrt(0.4 / G))
