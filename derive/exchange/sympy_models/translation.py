@@ -11,8 +11,8 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from hertzwerk.derive.common.faults import Fault, shown
-from hertzwerk.derive.common.identifiers import name_faults
-from hertzwerk.derive.common.units import UnitError, parse_unit
+from hertzwerk.derive.common.identifiers import name_faults, unit_faults
+from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.derive.declare.effects.state_expression import T, coordinate_of, speed_of, states_in
 from hertzwerk.derive.declare.mechanism.joints.joint import Freedom, Port
 from hertzwerk.derive.exchange.sympy_models.model_equations import Reading
@@ -142,14 +142,13 @@ class Naming:
 
     def _dimension(self, atom: Any) -> Dimension | None:
         name = name_of(atom)
-        try:
-            self.table[atom] = Dimension.from_unit(parse_unit(self.units[name]))
-        except KeyError:
+        if name not in self.units:
             expected = "the unit of every symbol of the model"
             self.faults.append(Fault(f"symbol {name}", "no unit", expected, f"units={{{name}: ...}}"))
-        except UnitError as error:
-            actual = f"unit {shown(self.units[name])}"
-            self.faults.append(Fault(f"symbol {name}", actual, "a unit without a symbolic exponent", str(error)))
+        elif faults := [*unit_faults(f"symbol {name}", self.units[name], constant=True)]:
+            self.faults += faults
+        else:
+            self.table[atom] = Dimension.from_unit(parse_unit(self.units[name]))
         return self.table.get(atom)
 
     def _dimension_among(self, known: Collection[Dimension], kind: str, atom: Any, expected: str) -> None:
