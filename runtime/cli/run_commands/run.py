@@ -255,6 +255,8 @@ def _report_averages(averages: Sequence[Average]) -> None:
 
 def _report(solution: Solution) -> None:
     """Print a run in a few lines."""
+    from hertzwerk.runtime.engine.solution.step_warnings import headline
+
     statistics, outcome = solution.statistics, solution.outcome
     line(
         solution.engine.model.name,
@@ -284,6 +286,6 @@ def _report(solution: Solution) -> None:
         *(("advice", text) for text in solution.engine.advice),
     ]
     for label, text in findings:
-        line(label, text.partition(". ")[0])
+        line(label, headline(text))
     if findings:
         line("details", "`hertzwerk report` shows all that was found, as do `warnings` and `advice` in run.json")

@@ -207,11 +207,9 @@ class Sampled:
         self._grid.keep(at_times)
         for steps, states in zip(self._within, within, strict=True):
             steps.keep(states)
-        self._steps, self._turns, self._peaks = (
-            self._steps + len(begins),
-            self._turns + len(zeros),
-            self._peaks + len(peaks),
-        )
+        self._steps += len(begins)
+        self._turns += len(zeros)
+        self._peaks += len(peaks)
 
     @cached_property
     def history(self) -> History:

@@ -78,7 +78,7 @@ def unsettled(count: int) -> Iterator[str]:
     if count:
         instants = "an instant" if count == 1 else f"{count} instants"
         yield (
-            f"who sticks and who slips was not determined at {instants}: compare another accuracy. The search for sticking and slipping contacts "
+            f"which contacts stick was not determined at {instants}: compare another accuracy. The search for sticking and slipping contacts "
             "did not converge, and the run continued with its last state, perhaps wrongly"
         )
 

@@ -32,6 +32,7 @@ from hertzwerk.runtime.engine.solution.step_warnings import (
     Validity,
     bent_rods,
     beyond_theory,
+    headline,
     left_law,
     lost_grip,
     validity,
@@ -263,7 +264,7 @@ class EngineSolution(Histories):
             parts.append(f"energy closed to {self.energy_residual:.1g}")
         text = f"{self.outcome.name}: {', '.join([*parts, time_text(statistics.wall_s, 3)])}"
         reason = [] if self.outcome.finished else [f"{self.outcome.message}; {self.outcome.remedy}"]
-        return "\n".join([text, *reason, *(f"warning: {warning.partition('. ')[0]}" for warning in self.warnings)])
+        return "\n".join([text, *reason, *(f"warning: {headline(warning)}" for warning in self.warnings)])
 
     def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write the whole run as npz, to be read by `Solution.load` or NumPy; raises FileExistsError."""

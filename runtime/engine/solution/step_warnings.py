@@ -27,6 +27,11 @@ SMALL = 0.01  # share of a dissipation below which a number says no more
 START = 1e-9  # share of a run within which a contact began at its start
 
 
+def headline(finding: str) -> str:
+    """Return the first sentence of a warning or an advice: it states the way out, others the details."""
+    return finding.partition(". ")[0]
+
+
 def left_law(model: EngineModel, lasting: Sequence[Lasting], ends: History) -> Iterator[str]:
     """Yield one warning of contacts that left their damping law, with their share of what it dissipates."""
     if not lasting:
@@ -43,8 +48,8 @@ def left_law(model: EngineModel, lasting: Sequence[Lasting], ends: History) -> I
     count = f"{len(lasting)} contacts" if len(lasting) > 1 else "one contact"
     yield (
         f"{some(pairs)}: gap rates exceed the damping law; take one without v0. At {', '.join(pairs)} they are up to {worst.ratio:.2g} times "
-        f"the approach speed v0 since t = {since:.4g} s ({count}{share}); `hertzwerk laws` shows which laws refer to it, a larger approach_floor "
-        "is the least that they take for it"
+        f"the approach speed v0 since t = {since:.4g} s ({count}{share}); `hertzwerk laws` shows which laws refer to v0, and a larger "
+        "approach_floor raises the least v0"
     )
 
 

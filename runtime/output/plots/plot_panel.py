@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import matplotlib as mpl
 import numpy as np
 
+from hertzwerk.runtime.engine.solution.step_warnings import headline
 from hertzwerk.runtime.output.plots.arrangement import LINE, PAD
 from hertzwerk.runtime.output.plots.curves import Curves
 from hertzwerk.runtime.output.plots.plot_style import CYCLE, GREY, ORANGE, VERMILLION, plain
@@ -37,7 +38,7 @@ def caption(figure: Figure, run: EngineSolution, subtitle: str, notes: Sequence[
     width, height = figure.get_size_inches()
     used = write_title(figure, title_of(run.engine.model, subtitle), differences(run))
     remarks = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
-    remarks += [*(warning.partition(". ")[0] for warning in run.warnings), *notes]  # unchecked laws among them
+    remarks += [*(headline(warning) for warning in run.warnings), *notes]  # unchecked laws among them
     rows = [line for note in remarks for line in textwrap.wrap(note, int(12 * width))]
     if rows:
         look: Any = {"ha": "left", "va": "bottom", "fontsize": NOTE, "color": VERMILLION}
