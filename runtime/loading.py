@@ -208,17 +208,13 @@ def engine_model(
     """Return the engine's model of any target, varied as `load` varies it; raises InputError."""
     if isinstance(target, Model):
         target = target.engine
-    plain = isinstance(without, tuple) and not without and laws is None and coordinates is None
-    if plain and isinstance(target, EngineModel):
-        return target
     refuse("load", _type_faults(target, without, laws, coordinates))
     varied = bool(without or laws or coordinates is not None)
-    if isinstance(target, EngineModel):
-        return _varied(target, without, laws or {}, coordinates) if varied else target
-    if isinstance(target, str) and not varied and target.isidentifier():
-        name = f"hertzwerk.generated.{target}"
-        if importlib.util.find_spec(name) is not None:
-            return _built_in(target)
+    if isinstance(target, EngineModel) and not varied:
+        return target
+    name = target if isinstance(target, str) and target.isidentifier() else ""
+    if name and not varied and importlib.util.find_spec(f"hertzwerk.generated.{name}") is not None:
+        return _built_in(name)
     from hertzwerk.runtime.engine.model import build
 
     laws = {effect: build.located_laws(law, Path.cwd()) for effect, law in (laws or {}).items()}
@@ -227,8 +223,8 @@ def engine_model(
         return EngineModel(build.build_built_in(target, without, laws, coordinates), Declaration(target, *how))
     source = build.source_of(target) if isinstance(target, str | Path) else "a scene"
     scene = build.scene_or_module(target) if isinstance(target, str | Path) else target
-    if isinstance(scene, ModuleType):
-        model = EngineModel(scene)
+    if isinstance(scene, ModuleType | EngineModel):
+        model = EngineModel(scene) if isinstance(scene, ModuleType) else scene
         return _varied(model, without, laws, coordinates) if varied else model
     return EngineModel(build.build(build.vary(scene, without, laws, coordinates), source), Declaration(scene, *how))
 

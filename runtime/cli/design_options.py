@@ -7,11 +7,9 @@ from inspect import signature
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
+from hertzwerk.derive.common.faults import Fault, refuse, shown, unknown
 from hertzwerk.derive.common.toml_file import read_toml
-from hertzwerk.runtime.cli.target_options import Variation, assignments, run_settings
-from hertzwerk.runtime.engine.inputs.input_values import located
-from hertzwerk.runtime.engine.model.build import located_target
+from hertzwerk.runtime.cli.target_options import Variation, assignments, beside, run_settings
 from hertzwerk.runtime.system.digests import record_text
 
 if TYPE_CHECKING:
@@ -32,10 +30,7 @@ def definition(
     """
     faults: list[Fault] = []
     if target.endswith(".toml"):
-        stated = [f"--{name.replace('_', '-')}" for name, value in options.items() if value not in (None, (), False)]
-        if stated:
-            actual, expected = f"{', '.join(stated)} beside it", "the whole definition there"
-            raise InputError(target, [Fault(target, actual, expected)])
+        refuse(target, beside(target, "the whole definition there", "target", "out", "file", "as_json"))
         arguments = read_definition(Path(target), function, required)
         from hertzwerk.runtime.loading import engine_model
 
@@ -69,8 +64,11 @@ def named(option: str, texts: Sequence[str], sign: str, faults: list[Fault]) -> 
     return values
 
 
-def keep(result: Propagated | Minimum, folder: Path, name: str) -> list[str]:
-    """Write the record and the picture of a result into a folder; return what could not be made."""
+def keep(result: Propagated | Minimum, folder: Path, name: str, missing: list[str]) -> tuple[Path, list[str]]:
+    """Write the record and the picture of a result into a folder; return it and its files.
+
+    What could not be made is appended to `missing`.
+    """
     from hertzwerk.runtime.cli.target_options import command_line
     from hertzwerk.runtime.engine.solution.solution import write
     from hertzwerk.runtime.system.result_folder import failures_of
@@ -79,7 +77,8 @@ def keep(result: Propagated | Minimum, folder: Path, name: str) -> list[str]:
     content = {**result.record(), "command": command_line(), "versions": versions()}
     folder.mkdir(parents=True, exist_ok=True)
     write(folder / f"{name}.json", record_text(content).encode(), overwrite=True)
-    return failures_of(f"{name}.png", lambda: result.plot().savefig(folder / f"{name}.png"))
+    missing += failures_of(f"{name}.png", lambda: result.plot().savefig(folder / f"{name}.png"))
+    return folder, [f"{name}.json", *([] if missing else [f"{name}.png"])]
 
 
 # -- files that define a propagation or a minimisation: TOML with the keys of the function -----------------------------
@@ -95,6 +94,8 @@ def read_definition(path: Path, function: Callable[..., Any], required: tuple[st
     Files are named relative to its folder. Raises InputError for keys that are unknown or missing; what values mean is
     checked by the function.
     """
+    from hertzwerk.runtime.studies.sweeps.sweep_file import located_arguments  # imports pydantic
+
     content = read_toml(path, ", ".join(required))
     known = (*OF_SCENE, *(name for name in signature(function).parameters if name not in NOT_IN_FILES))
     faults = [unknown("key", name, known) for name in content if name not in known]
@@ -103,7 +104,4 @@ def read_definition(path: Path, function: Callable[..., Any], required: tuple[st
     if not isinstance(target, str):
         faults.append(Fault("target", shown(target), "the name of a scene, or its file"))
     refuse(str(path), faults)
-    content["target"] = located_target(target, path.parent)
-    if isinstance(inputs := content.get("inputs"), Mapping):
-        content["inputs"] = {n: located(x, path.parent) if isinstance(x, str) else x for n, x in inputs.items()}
-    return content
+    return located_arguments({**content, "target": target}, path.parent)

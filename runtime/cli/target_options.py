@@ -312,6 +312,23 @@ def number(text: str) -> Any:
         return text
 
 
+def stated_options(*names: str, but: Sequence[str] = ()) -> list[str]:
+    """Return the options of these names that the command line states, as they are called; without names all but some."""
+    context = click.get_current_context()
+    return [
+        option.opts[0] if isinstance(option, click.Option) else str(option.metavar or option.name).strip("[]").upper()
+        for option in context.command.params
+        if (option.name in names if names else option.name not in but)
+        and context.get_parameter_source(str(option.name)) is ParameterSource.COMMANDLINE
+    ]
+
+
+def beside(where: str, expected: str, *allowed: str) -> list[Fault]:
+    """Return the fault of options and arguments that are stated beside what is whole, except those that may be."""
+    stated = stated_options(but=allowed)
+    return [Fault(where, f"{', '.join(stated)} beside it", expected)] if stated else []
+
+
 def command_line(*without: str) -> str:
     """Return the command that runs, as it can be typed again, but for some options."""
     context = click.get_current_context()

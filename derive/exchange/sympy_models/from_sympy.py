@@ -17,11 +17,9 @@ from typing import Any, ClassVar
 
 import sympy as sp
 from mpmath import mp
-from sympy.physics.mechanics import ReferenceFrame
-from sympy.physics.vector import Point as SymPyPoint
 
 from hertzwerk.derive.audit.numeric import evaluate
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown, unknown
 from hertzwerk.derive.common.identifiers import name_faults
 from hertzwerk.derive.declare.effects.effect import Declared, Effect, Element
 from hertzwerk.derive.declare.effects.energy_ledger import EnergyLedger
@@ -112,7 +110,10 @@ class Model:
         it keeps the axes of the ground. Raises InputError.
         """
         where, axes = self._find(point, self._points, "point"), self._find(frame, self._frames, "frame")
-        self._must_have_place(where)
+        if self._position(where) is None:
+            actual = f"no position{', for there is no' if self._reading.origin is None else ' from the'} origin"
+            raise InputError(f"model {self.name}", [Fault(f"point {where.name}", actual, "a position from a fixed point",
+                             "Locate it in SymPy, P.set_pos(O, ...), and give from_sympy(..., origin=O).")])  # fmt: skip
         for body, own in zip(self.bodies, self._reading.bodies, strict=True):
             centre, carrier = mass_centre(own)
             if centre == where and axes in (None, carrier):
@@ -139,14 +140,10 @@ class Model:
     # -- bodies and points ---------------------------------------------------------------------------------------------
 
     def _find(self, item: Any, known: Mapping[str, Any], kind: str) -> Any:
-        if item is None and kind == "frame":
-            return None
-        if isinstance(item, str) and item in known:
-            return known[item]
-        if isinstance(item, SymPyPoint | ReferenceFrame) and item in known.values():
-            return item
-        name = item.name if isinstance(item, SymPyPoint | ReferenceFrame) else item
-        raise InputError(f"model {self.name}", [unknown(kind, name, known)])
+        by = {**known, **{each: each for each in known.values()}, **({None: None} if kind == "frame" else {})}
+        if not among(item, *by):
+            raise InputError(f"model {self.name}", [unknown(kind, getattr(item, "name", item), known)])
+        return by[item]
 
     def _position(self, point: Any) -> Any:
         """Position of a point from the origin, None where it has none."""
@@ -154,15 +151,6 @@ class Model:
             return self._reading.origin and point.pos_from(self._reading.origin)
         except ValueError:
             return None
-
-    def _must_have_place(self, point: Any) -> None:
-        if self._position(point) is not None:
-            return
-        actual = (
-            "no position from the origin" if self._reading.origin is not None else "no position, for there is no origin"
-        )
-        raise InputError(f"model {self.name}", [Fault(f"point {point.name}", actual, "a position from a fixed point",
-                         "Locate it in SymPy, P.set_pos(O, ...), and give from_sympy(..., origin=O).")])  # fmt: skip
 
     def _orientation_faults(self, point: Any, frame: Any) -> Iterator[Fault]:
         """Faults of frames without an orientation: of a body, and those in which its velocity is written."""

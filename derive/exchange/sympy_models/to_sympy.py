@@ -7,7 +7,7 @@ tangents, since its laws with their memory are no part of such equations.
 from __future__ import annotations
 
 import keyword
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any
@@ -86,7 +86,6 @@ class _Export:
         self.system, self.tape, self.scene = system, system.tape, system.scene
         refuse(f"scene {self.scene.name} to SymPy", list(self._faults()))
         self.specified: dict[sp.Symbol, str] = {}
-        self.unit: dict[sp.Symbol, str] = {}
 
     def _faults(self) -> Iterator[Fault]:
         """Yield faults of what SymPy's equations do not have."""
@@ -252,58 +251,69 @@ def _variable(name: str) -> str:
     return f"{name}_" if name in TAKEN or keyword.iskeyword(name) else name
 
 
+FILE = '''"""Equations of {name} for SymPy, written by hertzwerk: mass_matrix u' = forcing, q' = kinematics.
+{multipliers}
+Units of every symbol are in `units`, defaults of constants in `values`; `specified` are functions of time, as forces of contacts.
+"""
+
+import sympy as sp
+from sympy.physics.mechanics import dynamicsymbols
+
+t = dynamicsymbols._t
+{symbols}
+{steps}
+q = sp.Matrix([{q}])
+u = sp.Matrix([{u}])
+kinematics = {{{kinematics}}}
+mass_matrix = sp.Matrix([{mass_matrix}])
+forcing = sp.Matrix([{forcing}])
+holonomic_constraints = sp.Matrix([{holonomic_constraints}])
+nonholonomic_constraints = sp.Matrix([{nonholonomic_constraints}])
+specified = {{{specified}}}
+units = {{{units}}}
+values = {{{values}}}
+names = {{{names}}}
+'''
+MULTIPLIERS = "\nForces of the constraints, of the multipliers, come on top of the forcing."
+
+
 def python_file(
     equations: SymPyEquations, name: str, values: Mapping[str, tuple[float, str]] = MappingProxyType({})
 ) -> str:
     """Text of the file; `values` with their units stand in place of the parameters' defaults."""
-    stated = {
-        symbol: values.get(symbol.name, (value, equations.units[symbol])) for symbol, value in equations.values.items()
-    }
-    units = equations.units | {symbol: unit for symbol, (_, unit) in stated.items()}
-    return "\n".join(_lines(equations, name, {symbol: value for symbol, (value, _) in stated.items()}, units)) + "\n"
-
-
-def _lines(
-    equations: SymPyEquations, name: str, values: Mapping[Any, float], units: Mapping[Any, str]
-) -> Iterator[str]:
     program = equations.program
     variables = {s: "t" if a == TIME else _variable(s.name) for s, a in program.instead.items()}
+    named = {a: variables[s] for s, a in program.instead.items()}
     text = _Printer(variables).doprint
-    yield f'"""Equations of {name} for SymPy, written by hertzwerk: mass_matrix u\' = forcing, q\' = kinematics.'
-    yield ""
-    if equations.holonomic_constraints or equations.nonholonomic_constraints:
-        yield "Forces of the constraints, of the multipliers, come on top of the forcing."
-    yield "Units of every symbol are in `units`, defaults of constants in `values`; `specified` are functions of time, as forces of contacts."
-    yield '"""'
-    yield ""
-    yield "import sympy as sp"
-    yield "from sympy.physics.mechanics import dynamicsymbols"
-    yield ""
-    yield "t = dynamicsymbols._t"
-    for symbol, other in program.instead.items():
-        if other.args:
-            yield f'{variables[symbol]} = dynamicsymbols("{other.func.__name__}")'
-        elif other != TIME:
-            yield f'{variables[symbol]} = sp.Symbol("{other.name}")'
-    yield ""
 
     def of(value: Any) -> str:
         return str(text(with_pieces(sp.sympify(value))))
 
-    for symbol, expression in program.steps:
-        if symbol not in variables:
-            yield f"{_variable(symbol.name)} = {of(expression)}"
-    yield ""
-    r = program.results
-    named = {a: variables[s] for s, a in program.instead.items()}
-    yield f"q = sp.Matrix([{', '.join(named[a] for a in equations.q)}])"
-    yield f"u = sp.Matrix([{', '.join(named[a] for a in equations.u)}])"
-    pairs = zip(equations.q, r["kinematics"], strict=True)
-    yield f"kinematics = {{{', '.join(f'{named[a]}.diff(t): {of(rate)}' for a, rate in pairs)}}}"
-    yield "mass_matrix = sp.Matrix([" + ", ".join(f"[{', '.join(map(of, row))}]" for row in r["mass_matrix"]) + "])"
-    for which in ("forcing", "holonomic_constraints", "nonholonomic_constraints"):
-        yield f"{which} = sp.Matrix([{', '.join(map(of, r[which]))}])"
-    yield f"specified = {{{', '.join(f'{named[a]}: {meaning!r}' for a, meaning in equations.specified.items())}}}"
-    yield f"units = {{{', '.join(f'{named[a]}: {unit!r}' for a, unit in units.items())}}}"
-    yield f"values = {{{', '.join(f'{named[a]}: {value!r}' for a, value in values.items())}}}"
-    yield f"names = {{{', '.join(f'{label!r}: {named[a]}' for label, a in equations.names.items())}}}"
+    stated = {a: values.get(a.name, (value, equations.units[a])) for a, value in equations.values.items()}
+    units = equations.units | {a: unit for a, (_, unit) in stated.items()}
+    symbols = [
+        f'{named[a]} = dynamicsymbols("{a.func.__name__}")\n' if a.args else f'{named[a]} = sp.Symbol("{a.name}")\n'
+        for a in program.instead.values()
+        if a != TIME
+    ]
+    steps = [f"{_variable(symbol.name)} = {of(e)}\n" for symbol, e in program.steps if symbol not in variables]
+    pairs = zip(equations.q, program.results["kinematics"], strict=True)
+    parts: dict[str, Iterable[str]] = {
+        "q": (named[a] for a in equations.q),
+        "u": (named[a] for a in equations.u),
+        "kinematics": (f"{named[a]}.diff(t): {of(rate)}" for a, rate in pairs),
+        "mass_matrix": (f"[{', '.join(map(of, row))}]" for row in program.results["mass_matrix"]),
+        **{
+            part: map(of, program.results[part])
+            for part in ("forcing", "holonomic_constraints", "nonholonomic_constraints")
+        },
+        "specified": (f"{named[a]}: {meaning!r}" for a, meaning in equations.specified.items()),
+        "units": (f"{named[a]}: {unit!r}" for a, unit in units.items()),
+        "values": (f"{named[a]}: {value!r}" for a, (value, _) in stated.items()),
+        "names": (f"{label!r}: {named[a]}" for label, a in equations.names.items()),
+    }
+    constrained = equations.holonomic_constraints or equations.nonholonomic_constraints
+    return FILE.format(
+        name=name, multipliers=MULTIPLIERS if constrained else "", symbols="".join(symbols), steps="".join(steps),
+        **{part: ", ".join(texts) for part, texts in parts.items()},
+    )  # fmt: skip

@@ -6,7 +6,6 @@ is of, line 1 where a file does not name that.
 
 from __future__ import annotations
 
-import ast
 import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -29,6 +28,7 @@ RULES = {  # level, and what it is
     "advice": ("warning", "A law or an expression to be looked at, whose units agree"),
     "input": ("error", "A file that cannot be audited"),
 }
+_DECLARED = r"""(?:\((?:\s|#.*\n)*|\bname\s*=\s*)["']{}["']"""  # as the first argument of a call, or by `name =`
 _FILE = re.compile(r"(?P<file>[^:]*\.(?:py|toml))(?:, line (?P<line>\d+))?")
 
 
@@ -107,28 +107,14 @@ FORMATS = {"github": github, "sarif": sarif}
 
 
 def _line(file: Path | None, names: Sequence[str], entry: str) -> int:
-    """Return the line that declares the first name that a file has; of a law in TOML its part."""
+    """Return the line that declares the first name that a file has, or that of an entry of this declaration."""
     text = file.read_text(encoding="utf-8", errors="replace") if file is not None and file.is_file() else ""
-    lines = text.splitlines()
-    for name in names if file is not None and file.suffix == ".toml" else ():
-        for i, written in enumerate(lines):
-            if re.match(rf"\s*name\s*=\s*[\"']{re.escape(name)}[\"']", written):
-                parts = (k for k, part in enumerate(lines[i:], i) if re.match(rf"\s*{re.escape(entry)}\s*=", part))
-                return next(parts, i) + 1
-    try:
-        nodes = list(ast.walk(ast.parse(text if file is not None and file.suffix == ".py" else "")))
-    except (SyntaxError, ValueError, RecursionError):
-        return 1
-    calls: dict[object, int] = {}
-    for node in nodes:
-        if isinstance(node, ast.Call):
-            arguments = [*node.args[:1], *(word.value for word in node.keywords if word.arg == "name")]
-            calls |= {
-                arg.value: max(node.lineno, calls.get(arg.value, 1))
-                for arg in arguments
-                if isinstance(arg, ast.Constant)
-            }
-    return next((calls[name] for name in names if name in calls), 1)
+    for name in names:
+        declared = [*re.finditer(_DECLARED.format(re.escape(name)), text)]
+        if declared:
+            part = re.compile(rf"^[ \t]*{re.escape(entry)}\s*=", re.MULTILINE).search(text, declared[-1].start())
+            return text.count("\n", 0, (part or declared[-1]).start()) + 1
+    return 1
 
 
 def _relative(file: Path) -> str:

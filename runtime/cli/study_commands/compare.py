@@ -41,7 +41,6 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.studies.comparison.comparison_request import ComparisonRequest
     from hertzwerk.runtime.studies.comparison.comparison_result import Comparison
-    from hertzwerk.runtime.studies.comparison.signal_statistics import Estimated
 
 
 @click.command(epilog="Example: hertzwerk compare slider_crank --measured bench.csv --map acc=guide.acceleration")
@@ -200,16 +199,10 @@ def _report(comparison: Comparison) -> None:
     for label, text in comparison.lines(statistics=False):
         line(label, text)
     rows = [
-        [signal.channel.column, each.name, each.unit, _cell(each.measured), _cell(each.run), each.verdict]
+        [signal.channel.column, each.name, each.unit, str(each.measured), str(each.run), each.verdict]
         for signal in comparison.signals
         for each in signal.statistics
     ]
     if rows:
         click.echo()
         table(("beyond the horizon", "statistic", "unit", "measured", "run", ""), rows)
-
-
-def _cell(value: Estimated) -> str:
-    if value.low is None or value.high is None:
-        return f"{value.value:.4g}"
-    return f"{value.value:.4g} ({value.low:.4g} to {value.high:.4g})"

@@ -19,6 +19,7 @@ from hertzwerk.runtime.cli.target_options import (
     assignments,
     number,
     reading_of,
+    stated_options,
     unwritable_faults,
 )
 from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, conclude, line, reports_bad_input
@@ -158,9 +159,9 @@ def fit(target: str, out: Path | None, no_plots: bool, as_json: bool, **options:
         if moments or not options["measured"]:
             estimates, ranking = _of_moments(varied, moments, faults, progress, **options), None
         else:
-            of_series = {f"--{name.replace('_', '-')}": options.pop(name) for name in OF_SERIES}
-            faults += [Fault(option, "without --moment", "one beside it") for option, text in of_series.items() if text]
-            estimates, ranking = _fitted(varied, faults, progress, **options)
+            faults += [Fault(option, "without --moment", "one beside it") for option in stated_options(*OF_SERIES)]
+            others = {name: value for name, value in options.items() if name not in OF_SERIES}
+            estimates, ranking = _fitted(varied, faults, progress, **others)
     result = estimates if ranking is None else ranking
     code = conclude(
         lambda missing: _write(estimates, ranking, out, missing, plots=not no_plots),
@@ -222,7 +223,7 @@ def _of_moments(
     skip: str | None,
     independent: bool,
     reading: Mapping[str, Any],
-    **others: Any,
+    **_: Any,
 ) -> MomentFit:
     """Return the fit of statistics; raises InputError with every fault."""
     from hertzwerk.runtime.engine.inputs.measurement_csv import Reading
@@ -234,19 +235,8 @@ def _of_moments(
             Fault("--measured", "none, and no --moment", "measured data: --measured FILE, or --moment NAME=VALUE")
         )
     computed = [text for text in moments if "=" not in text]
-    of_series: dict[str, object] = {
-        "--measured": measured,
-        "--map": columns,
-        "--noise": noise,
-        "--at": made_at,
-        "--bandwidth": bandwidth,
-    }
-    of_series |= {"--order": order, "--zero-phase": zero_phase, "--skip": skip}
-    of_histories = {"--gain": "gain", "--laws": "among"}
-    of_histories_alone = {"--offset": ("offset", "0 s"), "--starts": ("starts", None), "--profile": ("profile", "auto")}
-    beside = [option for option, name in of_histories.items() if others[name]]
-    beside += [option for option, (name, default) in of_histories_alone.items() if others[name] != default]
-    beside += [option for option, value in of_series.items() if value and not computed]
+    of_data = ("measured", "columns", "noise", "made_at", *OF_SERIES[:-1])
+    beside = stated_options("gain", "among", "offset", "starts", "profile", *(() if computed else of_data))
     faults += [Fault(option, "beside --moment", "one of the two") for option in beside if moments]
     twice = sorted({name for name in computed if computed.count(name) > 1})
     faults += [Fault("--moment", f"{name} twice", "each once") for name in twice]

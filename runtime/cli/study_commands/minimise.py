@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +19,7 @@ from hertzwerk.runtime.cli.target_options import (
     assignments,
     unwritable_faults,
 )
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, print_prose, report_missing, reports_bad_input
+from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, conclude, print_prose, reports_bad_input
 
 
 @click.command(
@@ -94,9 +93,11 @@ def minimise(target: str, out: Path | None, as_json: bool, **options: Any) -> in
             **definition(target, options, own, minimisation.minimise, ("target", "objective", "over", "duration")),
             progress=progress,
         )
-    missing = [] if out is None else keep(minimum, out, "minimum")
-    if as_json:
-        click.echo(json.dumps(minimum.record(), indent=2, ensure_ascii=False))
-    else:
-        print_prose(str(minimum), indent=4)
-    return GOOD if minimum.outcome.finished and not report_missing(missing) else OTHER_OUTCOME
+    code = conclude(
+        lambda missing: keep(minimum, out or Path(), "minimum", missing),
+        minimum.record,
+        lambda: print_prose(str(minimum), indent=4),
+        wanted=out is not None,
+        as_json=as_json,
+    )
+    return code if minimum.outcome.finished else OTHER_OUTCOME

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -21,12 +20,11 @@ from hertzwerk.runtime.cli.target_options import (
     number,
 )
 from hertzwerk.runtime.cli.terminal import (
-    GOOD,
     OTHER_OUTCOME,
     Progress,
+    conclude,
     print_prose,
     report_damage,
-    report_missing,
     reports_bad_input,
 )
 
@@ -104,13 +102,19 @@ def propagate(target: str, out: Path | None, file: Path | None, as_json: bool, *
         propagated = propagation.propagate(**arguments, out=out, progress=progress)
     if file is not None:
         propagated.to_csv(file)
-    missing = [] if out is None else keep(propagated, out, "propagation")
-    if as_json:
-        click.echo(json.dumps(propagated.record(), indent=2, ensure_ascii=False))
-    else:
+
+    def report() -> None:
         print_prose(str(propagated), indent=4)
         report_damage(propagated.samples.damage)
-    return OTHER_OUTCOME if propagated.notes or report_missing(missing) else GOOD
+
+    code = conclude(
+        lambda missing: keep(propagated, out or Path(), "propagation", missing),
+        propagated.record,
+        report,
+        wanted=out is not None,
+        as_json=as_json,
+    )
+    return OTHER_OUTCOME if propagated.notes else code
 
 
 def _of_fit(folder: Path, beside: object, faults: list[Fault]) -> Any:

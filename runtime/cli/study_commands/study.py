@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse
-from hertzwerk.runtime.cli.target_options import JSON, READING, command_line, reading_of, unwritable_faults
+from hertzwerk.derive.common.faults import Fault, refuse
+from hertzwerk.runtime.cli.target_options import JSON, READING, beside, command_line, reading_of, unwritable_faults
 from hertzwerk.runtime.cli.terminal import (
     GOOD,
     OTHER_OUTCOME,
@@ -71,9 +71,11 @@ def study(
     faults: list[Fault] = []
     reading, command = reading_of(options, faults), command_line("out", "as_json")
     if resume is not None:
-        beside = {"NAME": name, "--quick": quick, "--out": out, "--measured": measured or any(reading.values())}
-        typed = [option for option, value in beside.items() if value]
-        name, quick, measured, reading, command = _resumed_request(resume, typed)
+        refuse("study", beside("--resume", "the same options as there; beside them --json", "resume", "as_json"))
+        request = page_folder.read_study_request(resume)
+        name, quick, measured, reading, command = (
+            request[key] for key in ("study", "quick", "measured", "reading", "command")
+        )
     if any(reading.values()) and measured is None:
         faults.append(Fault("--measured", "none, and options that say how to read it", "--measured FILE"))
     if name is None:
@@ -112,20 +114,6 @@ def study(
         as_json=as_json,
     )
     return code if page.holds and not page.missing else OTHER_OUTCOME
-
-
-def _resumed_request(folder: Path, options: list[str]) -> tuple[Any, ...]:
-    """Return the request of a stopped study: NAME, --quick, the measurement, its reading, the command.
-
-    Raises InputError.
-    """
-    from hertzwerk.runtime.cli.page_folder import read_study_request
-
-    if options:
-        expected = "the same options as there; beside them --json"
-        raise InputError("study", [Fault("--resume", f"{', '.join(options)} beside it", expected)])
-    request = read_study_request(folder)
-    return tuple(request[key] for key in ("study", "quick", "measured", "reading", "command"))
 
 
 def _report(page: Page, damage: Sequence[str]) -> None:

@@ -21,6 +21,7 @@ from hertzwerk.runtime.cli.target_options import (
     TOLERANCE,
     VARIATION,
     assignments,
+    beside,
     run_settings,
     table_faults,
 )
@@ -41,10 +42,7 @@ if TYPE_CHECKING:
 
     from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep
 
-_OPTIONS = {
-    **{"settings": "--set", "laws": "--law", "outputs": "--output"},
-    **{"histories": "--history", "continued": "--continue", "max_steps": "--max-steps", "wall_time": "--wall-time"},
-}  # where they are not called as their arguments
+BESIDE = "workers", "cluster", "widen", "file", "plot", "as_json"  # options that no definition has
 
 
 @click.command(epilog='Example: hertzwerk sweep slider_crank --over clearance="0.05..0.5 mm:10"')
@@ -158,7 +156,7 @@ def sweep(
     processes = _whole("--workers", workers, faults)
     if plot and as_json and out is None and resume is None:
         faults.append(Fault("--plot", "without a folder, as --json writes none", "--out DIR beside it"))
-    arguments = _arguments(target, resume, out, options, faults)
+    arguments = _arguments(target, resume, options, faults)
     folder = resume or out
     with ExitStack() as stack:
         if folder is None and not as_json:
@@ -201,27 +199,16 @@ def _connected(address: str) -> AbstractContextManager[Client]:
     return connected(address)
 
 
-def _arguments(
-    target: str | None, resume: Path | None, out: Path | None, options: dict[str, Any], faults: list[Fault]
-) -> dict[str, Any]:
+def _arguments(target: str | None, resume: Path | None, options: dict[str, Any], faults: list[Fault]) -> dict[str, Any]:
     """Return the arguments of the sweep, of a folder, a file or the command line; raises InputError."""
-    file = target is not None and target.endswith(".toml")
-    if resume is not None or file:
-        where = "--resume" if resume is not None else str(target)
-        stated = [_OPTIONS.get(name, f"--{name}") for name, value in options.items() if value not in (None, (), False)]
-        stated += ["TARGET"] if resume is not None and target is not None else []
-        stated += ["--out"] if resume is not None and out is not None else []
-        if stated:
-            actual, expected = (
-                f"{', '.join(stated)} beside it",
-                "the whole definition there; beside it --workers, --cluster, --widen, --table, --json",
-            )
-            faults.append(Fault(where, actual, expected))
-        refuse("sweep", faults)
-        if resume is None:
-            from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
+    expected = "the whole definition there; beside it --workers, --cluster, --widen, --table, --json"
+    if resume is None and target is not None and target.endswith(".toml"):
+        from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
 
-            return read_sweep(Path(str(target)))
+        refuse("sweep", [*faults, *beside(target, expected, "target", "out", *BESIDE)])
+        return read_sweep(Path(target))
+    if resume is not None:
+        refuse("sweep", [*faults, *beside("--resume", expected, "resume", *BESIDE)])
         from hertzwerk.runtime.studies.sweeps.points.sweep_definition import arguments_of, read_definition
 
         definition = read_definition(resume)
@@ -332,8 +319,7 @@ def _report(result: Sweep, folder: Path | None, file: Path | None) -> None:
         line(result.outcome.name, result.outcome.message)
         line("remedy", result.outcome.remedy)
     if folder is not None:
-        beside = ("section.csv", "histories.csv", "sweep.png")
-        tables = [name for name in beside if (folder / name).exists()]
+        tables = [name for name in ("section.csv", "histories.csv", "sweep.png") if (folder / name).exists()]
         line(
             "written", f"{folder}/ ({', '.join(['table.csv', *tables, 'rows.sqlite', 'definition.json', 'model.py'])})"
         )

@@ -36,9 +36,9 @@ Input: TypeAlias = Any
 """Value of an input, as this module's docstring lists them."""
 Duration: TypeAlias = str | float | None
 AnyModel = TypeVar("AnyModel", bound=EngineModel)
-HOW = r"(?P<how>\?[^:]*)?"
-COLUMN = re.compile(rf"(?P<file>[^?]+\.[A-Za-z]+){HOW}:(?P<column>[^:]+?)(?::(?P<between>\w+))?")
-FILE = re.compile(rf"(?P<file>[^?]+\.csv){HOW}", re.IGNORECASE)
+FILE = re.compile(  # FILE.csv, or a file with a column
+    r"\s*(?P<file>[^?]+\.(?:[A-Za-z]+(?=(?:\?[^:]*)?:)|(?i:csv)))(?P<how>\?[^:]*)?(?::(?P<column>[^:]+?)(?::(?P<between>\w+))?)?\s*"
+)
 INPUTS = 'values of inputs by name, such as torque = "bench.csv:load"'
 FORMS = 'a value such as "0.5 N m", "FILE.csv:column", Samples(times, values, units), a Table or a function of the time'
 
@@ -60,16 +60,16 @@ def signals_of(
     return signals
 
 
-def located(text: str, folder: Path) -> str:
-    """Return "NAME=FILE:column", or "FILE:column", with the file as seen from a folder; other text stays."""
-    before, query, how = text.partition("?")
-    name, equals, value = before.rpartition("=")
-    value += query + how
-    column, alone = COLUMN.fullmatch(value.strip()), FILE.fullmatch(value.strip())
-    file = column["file"] if column is not None else alone["file"] if alone is not None else ""
-    if not file or Path(file).is_absolute():
-        return text
-    return f"{name}{equals}{folder / file}{value.strip()[len(file) :]}"
+def located(value: Input, folder: Path) -> Input:
+    """Return "NAME=FILE:column", or "FILE:column", with the file as seen from a folder; other values stay."""
+    if not isinstance(value, str):
+        return value
+    before, query, how = value.partition("?")
+    name, equals, file = before.rpartition("=")
+    written = FILE.fullmatch(file + query + how)
+    if written is None or Path(written["file"]).is_absolute():
+        return value
+    return f"{name}{equals}{folder / written['file']}{written.string[written.end('file') :].rstrip()}"
 
 
 def input_text(value: Input) -> str | None:
@@ -104,11 +104,9 @@ def signal_of(name: str, value: Input, unit: str, seconds: float, faults: list[F
     where = f"input {name}"
     if isinstance(value, Signal):
         return value
-    if isinstance(value, str) and (column := COLUMN.fullmatch(value.strip())):
-        text = column["column"].strip()
-        return _of_file(where, column["file"], column["how"], text, column["between"] or "linear", unit, faults)
-    if isinstance(value, str) and (file := FILE.fullmatch(value.strip())):
-        return _of_file(where, file["file"], file["how"], name, "linear", unit, faults)
+    if isinstance(value, str) and (file := FILE.fullmatch(value)):
+        column, between = (file["column"] or name).strip(), file["between"] or "linear"
+        return _of_file(where, file["file"], file["how"], column, between, unit, faults)
     if isinstance(value, Samples):
         return _of_samples(where, value, unit, faults)
     if hasattr(value, "pieces") and hasattr(value, "units"):

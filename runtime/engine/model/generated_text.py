@@ -13,9 +13,12 @@ from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.derive.common.module_format import EMPTY, FORMAT, generated_text, require_intact
 
 
-def module_of(name: str, text: str) -> ModuleType:
-    """Return the module that a text of our own emitter is; raises InputError for any other text."""
-    require_intact(text, name)
+def module_of(name: str, text: str, path: Path | None = None) -> ModuleType:
+    """Return the module that a text of our own emitter is; raises InputError for any other text.
+
+    path    its file, where it has one
+    """
+    require_intact(text, name, path)
     module = ModuleType(f"hertzwerk_generated_{name}")
     module.__file__ = f"<generated {name} {hashlib.sha256(text.encode()).hexdigest()[:12]}>"
     linecache.cache[module.__file__] = (len(text), None, text.splitlines(keepends=True), module.__file__)
@@ -34,10 +37,7 @@ def module_in(path: Path) -> ModuleType | None:
     Raises InputError for a module of another format, or with an altered text.
     """
     text = generated_text(path)
-    if text is None:
-        return None
-    require_intact(text, path.stem, path)
-    return module_of(path.stem, text)
+    return None if text is None else module_of(path.stem, text, path)
 
 
 def require_tables(module: ModuleType | SimpleNamespace) -> None:

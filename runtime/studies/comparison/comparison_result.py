@@ -225,9 +225,7 @@ def _statistic(statistic: Statistic) -> str:
     unit = "" if statistic.unit == "1" else f" {statistic.unit}"
 
     def text(estimate: Estimated) -> str:
-        if estimate.low is None or estimate.high is None:
-            return f"{estimate.value:.4g} (no interval: {estimate.reason})"
-        return f"{estimate.value:.4g} ({estimate.low:.4g} to {estimate.high:.4g})"
+        return f"{estimate} (no interval: {estimate.reason})" if estimate.low is None else str(estimate)
 
     return (
         f"{statistic.name}: measured {text(statistic.measured)}, run {text(statistic.run)}{unit}: {statistic.verdict}"

@@ -25,6 +25,10 @@ class Estimated:
     high: float | None = None
     reason: str = ""
 
+    def __str__(self) -> str:
+        interval = "" if self.low is None or self.high is None else f" ({self.low:.4g} to {self.high:.4g})"
+        return f"{self.value:.4g}{interval}"
+
 
 @dataclass(frozen=True)
 class Statistic:

@@ -10,6 +10,7 @@ restitution = [0.5, 0.7, 0.9]
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -73,19 +74,18 @@ def read_sweep(path: Path) -> dict[str, Any]:
         faults = form_faults(error, SweepFile)
         faulty = {fault.where for fault in faults}
         raise InputError(str(path), [*faults, *_meaning_faults(path, content, faulty)]) from error
-    return _from(path, dict(entries))
+    return located_arguments(dict(entries), path.parent)
 
 
-def _from(path: Path, arguments: dict[str, Any]) -> dict[str, Any]:
-    """Return arguments with the files of scene, inputs and laws as seen from here."""
-    target = arguments["target"]
-    inputs = {
-        name: located(value, path.parent) if isinstance(value, str) else value
-        for name, value in arguments.get("inputs", {}).items()
+def located_arguments(arguments: Mapping[str, Any], folder: Path) -> dict[str, Any]:
+    """Return the arguments of a study in a file, with the files of scene, inputs and laws as seen from its folder."""
+    kinds = {"inputs": located, "laws": located_laws, "over": located_choices}
+    moved = {
+        key: {name: move(value, folder) for name, value in arguments[key].items()}
+        for key, move in kinds.items()
+        if isinstance(arguments.get(key), Mapping)
     }
-    laws = {effect: located_laws(law, path.parent) for effect, law in arguments.get("laws", {}).items()}
-    over = {name: located_choices(axis, path.parent) for name, axis in arguments["over"].items()}
-    return {**arguments, "target": located_target(target, path.parent), "over": over, "inputs": inputs, "laws": laws}
+    return {**arguments, **moved, "target": located_target(arguments["target"], folder)}
 
 
 def _meaning_faults(path: Path, content: dict[str, Any], faulty: set[str]) -> list[Fault]:
@@ -101,7 +101,7 @@ def _meaning_faults(path: Path, content: dict[str, Any], faulty: set[str]) -> li
         return []
     nobody = {"workers": 0}  # a fault: nothing is computed
     try:
-        sweep(**_from(path, {"over": {}, **right, **nobody}))
+        sweep(**located_arguments({"over": {}, **right, **nobody}, path.parent))
     except InputError as error:
         known = {*nobody, *heads}
         return [fault for fault in error.faults if fault.where not in known]

@@ -3,11 +3,14 @@
 import json
 import sqlite3
 from contextlib import closing
+from pathlib import Path
 
 import pytest
 from commands import called
 from pages import Outline
 
+from hertzwerk.runtime.cli.design_options import read_definition
+from hertzwerk.runtime.studies.uncertainty.propagation import propagate
 from hertzwerk.runtime.system.digests import sealed
 
 FILE = """
@@ -66,6 +69,11 @@ def test_propagate_by_options_and_by_file(file, tmp_path):
     )
     assert one == other
     assert one["outputs"]["final.vertical.speed"]["linear"] == pytest.approx(0.08, rel=1e-6)
+
+
+def test_files_of_a_definition_are_named_from_its_folder(file, tmp_path):
+    stated = Path(file(f'laws = {{ floor = "pads.toml:foam" }}\n{FILE}'))
+    assert read_definition(stated, propagate, ("target",))["laws"] == {"floor": f"{tmp_path / 'pads.toml'}:foam"}
 
 
 def test_minimise_by_options_and_by_file(file, tmp_path):

@@ -186,7 +186,7 @@ def test_files_of_laws_are_seen_from_a_folder(text, there):
     [
         ([], ["TARGET"]),
         (["--resume", "nowhere"], ["--resume"]),
-        (["--resume", "a", "bouncing_ball", "--over", "mass=1 kg"], ["--over, TARGET beside it"]),
+        (["--resume", "a", "bouncing_ball", "--over", "mass=1 kg"], ["TARGET, --over beside it"]),
         (["file.toml", "--law", "a=b"], ["--law beside it"]),
         (["file.toml"], ["no such file"]),
         (["bouncing_ball", "--over", "mass=1 kg", "--json", "--plot"], ["--plot: found without a folder"]),
