@@ -105,9 +105,12 @@ def require_intact(text: str, name: str, path: Path | None = None) -> None:
     else:
         return
     source = stated(text, "SOURCE")
-    places = [] if path is None else [path.parent / source, *sorted(path.parent.parent.glob(f"*/{source}"))]
-    file = next((place for place in places if place.is_file() and place != path), None)
-    again = command(shlex.quote(str(file)) if file else source, stated(text, "NAME") or name, stated_coordinates(text))
+    scene_file, colon, scene = source.partition(":")
+    folders = [] if path is None else [path.parent, path.parent.parent, *sorted(path.parent.parent.glob("*/"))]
+    places = [folder / scene_file for folder in folders]
+    file = next((place for place in places if place.is_file() and generated_text(place) is None), None)
+    target = f"{shlex.quote(str(file))}{colon}{scene}" if file else source
+    again = command(target, stated(text, "NAME") or name, stated_coordinates(text))
     where = "" if path is None or file == places[0] else f" --out {shlex.quote(str(path.parent))}"
     raise InputError(str(path or name), [Fault(str(path or name), said, expected, f"generate it anew: {again}{where}")])
 

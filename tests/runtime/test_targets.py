@@ -156,9 +156,14 @@ def test_an_altered_module_is_refused_unexecuted_with_the_command_that_regenerat
     with pytest.raises(InputError, match=r"hertzwerk derive my_ball.py --out modules"):
         load("modules/my_ball.py")
     (project / "scenes").mkdir()
-    shutil.move(project / "my_ball.py", project / "scenes")
-    with pytest.raises(InputError, match=r"hertzwerk derive scenes/my_ball.py --out modules"):
-        load("modules/my_ball.py")
+    for name in ("my_ball.py", "balls.py"):
+        shutil.move(project / name, project / "scenes")
+    told("derive", "scenes/my_ball.py", "--out", "modules")
+    for name in ("copy.py", "light_ball.py"):  # both beside a sound module of the first one's source's name
+        (project / "modules" / name).write_text(f"{(own if name == 'copy.py' else file).read_text()}\n")
+    for name, source in (("copy.py", "my_ball.py"), ("light_ball.py", "balls.py:light")):
+        with pytest.raises(InputError, match=rf"hertzwerk derive scenes/{source} --out modules"):
+            load(f"modules/{name}")
 
 
 def test_a_check_says_in_one_line_that_no_module_is_in_place(project):

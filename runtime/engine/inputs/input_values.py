@@ -75,7 +75,7 @@ def located(value: Input, folder: Path) -> Input:
 def input_text(value: Input) -> str | None:
     """Return the value of an input as text that reads back, files by whole paths; None where it is none."""
     if isinstance(value, str):
-        return located(value, Path.cwd())
+        return str(located(value, Path.cwd()))
     if isinstance(value, int | float):
         return repr(value)
     return f"{value[0]!r} {value[1]}" if isinstance(value, tuple) and isinstance(value[-1], str) else None
