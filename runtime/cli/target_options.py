@@ -313,7 +313,7 @@ def number(text: str) -> Any:
 
 
 def stated_options(*names: str, but: Sequence[str] = ()) -> list[str]:
-    """Return the options of these names that the command line states, as they are called; without names all but some."""
+    """Return the options that the command line states, of these names or of all but some."""
     context = click.get_current_context()
     return [
         option.opts[0] if isinstance(option, click.Option) else str(option.metavar or option.name).strip("[]").upper()
@@ -324,7 +324,7 @@ def stated_options(*names: str, but: Sequence[str] = ()) -> list[str]:
 
 
 def beside(where: str, expected: str, *allowed: str) -> list[Fault]:
-    """Return the fault of options and arguments that are stated beside what is whole, except those that may be."""
+    """Return the fault of options stated beside what is whole, except those that may be."""
     stated = stated_options(but=allowed)
     return [Fault(where, f"{', '.join(stated)} beside it", expected)] if stated else []
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
@@ -68,11 +68,11 @@ class RigidLimit(Histories):
     """
 
     model: EngineModel
-    run: RigidRun
+    run: RigidRun = field(repr=False)
     outcome: Outcome
     law: Mapping[str, RigidImpact]
     initial: Mapping[str, Value]
-    again: Callable[[], RigidRun]
+    again: Callable[[], RigidRun] = field(repr=False)
     stiffness: str
     stiffer: tuple[StifferRun, ...] = ()
 

@@ -107,7 +107,7 @@ FORMATS = {"github": github, "sarif": sarif}
 
 
 def _line(file: Path | None, names: Sequence[str], entry: str) -> int:
-    """Return the line that declares the first name that a file has, or that of an entry of this declaration."""
+    """Return the line that declares the first name that a file has, or an entry of that declaration."""
     text = file.read_text(encoding="utf-8", errors="replace") if file is not None and file.is_file() else ""
     for name in names:
         declared = [*re.finditer(_DECLARED.format(re.escape(name)), text)]

@@ -78,7 +78,7 @@ def read_sweep(path: Path) -> dict[str, Any]:
 
 
 def located_arguments(arguments: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """Return the arguments of a study in a file, with the files of scene, inputs and laws as seen from its folder."""
+    """Return the arguments of a study with the files of scene, inputs and laws as seen from a folder."""
     kinds = {"inputs": located, "laws": located_laws, "over": located_choices}
     moved = {
         key: {name: move(value, folder) for name, value in arguments[key].items()}

@@ -102,7 +102,7 @@ def test_laws_and_statistics(hertzwerk, data, tmp_path):
         "--offset", "1 ms", "--starts", "3", "--profile", "none", code=2,
     )  # fmt: skip
     assert "--measured, --offset, --starts, --profile: found beside --moment" in beside.output
-    assert "--measured: found beside --moment" in beside.output and "a value in N s" in beside.output
+    assert "a value in N s" in beside.output
     moment = ("--moment", "floor.impulse=8.859 +- 0.05 N s", "--duration", "0.7 s", "--set", "restitution=1")
     hertzwerk(*moment, "--free", "drop_height=0.7..1.5 m", "--out", "fitted")
     value = json.loads((tmp_path / "fitted" / "fit.json").read_text())["values"]["drop_height"]
