@@ -339,7 +339,11 @@ class Ladder(Generic[Data]):
         rounded = self._rounding_factor(run) > ROUNDED
         check = run
         for i in range(1 if rounded else 2):
-            check = self._make(check.tolerance / CHECK, (run, i), most=(MORE_ROUNDED if rounded else MORE) * run.steps)
+            check = self._make(  # far below the least tolerance no step may be accepted
+                max(check.tolerance / CHECK, min(self._least, run.tolerance / 2)),
+                (run, i),
+                most=(MORE_ROUNDED if rounded else MORE) * run.steps,
+            )
             if check.end is not End.FAILED:
                 break
         if check.end is End.STOPPED or (check.end is End.REACHED and not rounded):

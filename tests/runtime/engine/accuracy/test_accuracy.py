@@ -196,6 +196,10 @@ def test_below_the_floor_it_ends_with_the_floor_tried_or_expected():
         "no tolerance of dopri5 is expected to give"
         in unreachable(1e-9, 1e-8, "dopri5", when=1.0, foreseen=True).message
     )
+    log = []  # errors that no longer fall end it before the least tolerance
+    ladder = Ladder(partial(made_up, log=log, rounding=1e-7), differ, lambda y: 1e-11 if len(y) > 1 else 0, 1.0, 2e-8)
+    assert ladder.search(1e-8).verdict is Verdict.UNREACHABLE
+    assert min(log) > LEAST
     given_up = Outcome("too_many_steps", "10,160 steps", "")
     message = unreachable(1e-6, 2.4e-6, "auto", given_up, rounded=True, when=0.54).message
     assert "rounding dominates, most at t = 0.54 s; runs with a smaller tolerance end as too_many_steps" in message
@@ -331,7 +335,7 @@ def test_a_tighter_run_that_needs_many_more_steps_is_given_up():
 
     def run(tolerance, checks, most):
         recorded.append((tolerance, most))
-        work = 100 if tolerance > 2e-13 else 100_000
+        work = 100 if tolerance > 3e-13 else 100_000
         end = End.REACHED if work <= most else End.FAILED
         return Rung(tolerance, end, TIMES, np.full((POINTS, 1), 1e4 * tolerance), min(work, most), 100, 1.0, None)
 
@@ -340,7 +344,19 @@ def test_a_tighter_run_that_needs_many_more_steps_is_given_up():
     assert ladder_result.run.tolerance == 5e-13
     assert ladder_result.error.end == pytest.approx(5e-9)
     assert ladder_result.incomplete.end is End.FAILED  # which the outcome states beside the rounding
-    assert max(min(most, 100_000) for tolerance, most in recorded if tolerance < 2e-13) <= 500
+    assert max(min(most, 100_000) for tolerance, most in recorded if tolerance < 3e-13) <= 500
+
+
+def test_a_run_is_checked_at_the_least_tolerance_rather_than_below_it():
+    """As of body 262 at 1e-8: below it no step is accepted, and then nothing tighter was tried."""
+
+    def run(tolerance, checks, most):
+        end = End.FAILED if tolerance < LEAST else End.REACHED
+        return Rung(tolerance, end, TIMES, np.full((POINTS, 1), 7e3 * tolerance), 100, 100, 1.0, None)
+
+    ladder_result = Ladder(run, differ, lambda y: 3e-13, 1.0, 4e-9).search(7e-13)
+    assert ladder_result.verdict is Verdict.MET
+    assert ladder_result.error.end == pytest.approx(7e3 * ladder_result.run.tolerance)
 
 
 def test_an_impact_that_one_run_has_a_moment_later_is_no_horizon():
