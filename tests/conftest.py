@@ -1,5 +1,6 @@
 """Settings of all tests."""
 
+import contextlib
 import fcntl
 import gc
 import pickle
@@ -17,6 +18,7 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as a shell leaves it to
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 EXHAUSTIVE_S = 3600
+MODELS = 16  # some MB each
 HERE = Path(__file__).parent
 LAST = "test_a_type_checker_sees_what_the_names_are"  # by then mypy, which .ci/run has beside, has read the package
 
@@ -29,9 +31,33 @@ def pytest_collection_finish():
     gc.enable()
 
 
+class Models(dict):
+    """Models of built-in scenes by name, with the functions built for them, and the names that were loaded."""
+
+    def __init__(self, load):
+        self.load, self.loaded = load, set()
+
+    def __call__(self, name):
+        self.loaded.add(name)
+        return self[name]
+
+    def __missing__(self, name):
+        if len(self) == MODELS:
+            del self[next(iter(self))]
+        return self.setdefault(name, self.load(name))
+
+
+@pytest.fixture(autouse=True, scope="session")
+def shared_models():
+    from hertzwerk.runtime import loading
+
+    loading._built_in = Models(loading._built_in.__wrapped__)
+    return loading._built_in
+
+
 @pytest.fixture(autouse=True)
-def built_in_models(request):
-    """Share models of built-in scenes, but not with a test that plants faults, nor after one that compiled."""
+def built_in_models(request, shared_models):
+    """Share models of built-in scenes, but not with a test that plants faults, nor those that a test compiled."""
     from hertzwerk.runtime import loading
     from hertzwerk.runtime.engine.integration.loop import c_compilation
 
@@ -41,13 +67,21 @@ def built_in_models(request):
             super().__init__(*functions, **options)
 
     compiled, alone = [], "monkeypatch" in request.fixturenames
-    if alone:
-        loading._built_in.cache_clear()
+    shared_models.loaded.clear()
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(c_compilation, "Program", Program)
+        if alone:
+            patch.setattr(loading, "_built_in", Models(shared_models.load))
         yield
-    if alone or compiled:
-        loading._built_in.cache_clear()
+    for name in shared_models.loaded if compiled else ():
+        shared_models.pop(name, None)
+
+
+@pytest.fixture
+def own_folder(tmp_path):
+    """Work in an empty folder; unlike `monkeypatch.chdir`, with the models that other tests built."""
+    with contextlib.chdir(tmp_path):
+        yield tmp_path
 
 
 @pytest.fixture(scope="session")

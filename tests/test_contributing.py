@@ -198,28 +198,26 @@ def test_a_command(made, monkeypatch):
     assert "freedoms" in CliRunner().invoke(main, ["--help"]).stdout
 
 
-def test_a_scene(made, tmp_path, monkeypatch):
+def test_a_scene(made, own_folder):
     made(RECIPES["scene"], "my_pendulum.py")
-    monkeypatch.chdir(tmp_path)
     written = CliRunner().invoke(main, ["derive", "my_pendulum.py", "--out", "generated"])
     assert written.exit_code == 0, written.output
-    assert (tmp_path / "generated" / "my_pendulum.py").is_file()
-    scenario = tmp_path / "my_pendulum.toml"
+    assert (own_folder / "generated" / "my_pendulum.py").is_file()
+    scenario = own_folder / "my_pendulum.toml"
     assert CliRunner().invoke(main, ["validate", scenario.name]).exit_code == 0
     scenario.write_text(scenario.read_text().replace("1e-3 rad", "1.1e-3 rad"))
     assert CliRunner().invoke(main, ["validate", scenario.name]).exit_code == 1
 
 
-def test_a_study(made, tmp_path, monkeypatch):
+def test_a_study(made, own_folder):
     """Against Hertz; with a wrong one the command says so."""
     made(STUDY, "my_study.py")
-    monkeypatch.chdir(tmp_path)
     done = CliRunner().invoke(main, ["study", "my_study.py", "--quick", "--out", "drops"])
     assert done.exit_code == 0, done.output
     assert "holds" in done.stdout
     written = {"study.md", "study.json", "forces.csv", "forces.png", "forces.svg", "rows"}
-    assert {path.name for path in (tmp_path / "drops").iterdir()} == written
-    file = tmp_path / "my_study.py"
+    assert {path.name for path in (own_folder / "drops").iterdir()} == written
+    file = own_folder / "my_study.py"
     file.write_text(file.read_text().replace("depths**1.5", "1.002 * depths**1.5"))
     wrong = CliRunner().invoke(main, ["study", "my_study.py", "--quick"])
     assert (wrong.exit_code, "fails" in wrong.stdout) == (1, True)

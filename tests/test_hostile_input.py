@@ -366,8 +366,7 @@ def test_an_altered_file_of_a_run_is_refused_or_means_the_same(saved, tmp_path, 
 
 
 @pytest.mark.parametrize("path", ["nothing.npz", ".", "text.npz", "other.npz", "\x00"])
-def test_a_file_that_is_no_saved_run_is_refused(path, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def test_a_file_that_is_no_saved_run_is_refused(path, own_folder):
     Path("text.npz").write_text("no archive")
     np.savez("other.npz", t=np.arange(3))
     with pytest.raises(InputError):

@@ -85,12 +85,11 @@ def test_laws_are_counted_and_commands_listed():
 
 
 @pytest.mark.parametrize(("name", "text"), PYTHON)
-def test_python_runs_as_written(name, text, tmp_path, monkeypatch):
+def test_python_runs_as_written(name, text, own_folder):
     """Where warnings are errors; what it says it writes, it writes."""
-    monkeypatch.chdir(tmp_path)
     exec(compile(text, name, "exec"), {"__name__": "__main__"})
     for picture in re.findall(r'savefig\("([^"]+)"', text):
-        assert (tmp_path / picture).read_bytes().startswith(b"\x89PNG")
+        assert (own_folder / picture).read_bytes().startswith(b"\x89PNG")
 
 
 @each("name", TEXTS)
@@ -112,12 +111,11 @@ RUNS = [
 
 
 @pytest.mark.parametrize(("name", "long"), RUNS)
-def test_commands_run_as_written(name, long, tmp_path, monkeypatch):
+def test_commands_run_as_written(name, long, own_folder):
     """In the order they stand in, in one folder, but for those of other machines, see runtime/studies/sweeps/rows/test_cluster.py.
 
     Pictures of a scene's run, which take four fifths of its time, are drawn once.
     """
-    monkeypatch.chdir(tmp_path)
     drawn = set()
     for arguments in commands(name):
         if "--cluster" not in arguments and bool(LONG & {*arguments}) == long:

@@ -1,6 +1,9 @@
 """Settings of the tests of runs."""
 
+from functools import partial
+
 import pytest
+from commands import called
 
 from hertzwerk.runtime.engine.integration.loop import c_compilation
 from hertzwerk.runtime.loading import engine_model
@@ -24,3 +27,9 @@ def ball():
 def crank():
     """Model of the slider-crank, shared as `ball` is."""
     return engine_model("slider_crank")
+
+
+@pytest.fixture
+def hertzwerk(request, own_folder):
+    """Call a command line in an empty folder and check its exit code; all those of a module begin with its COMMAND."""
+    return partial(called, *getattr(request.module, "COMMAND", ()))

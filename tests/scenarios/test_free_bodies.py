@@ -8,7 +8,7 @@ from hertzwerk.derive.laws import hunt_crossley, power, smooth_coulomb
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.loading import engine_model
 
-pytestmark = pytest.mark.by_turns(2)  # methods and coordinates that run the same code
+pytestmark = pytest.mark.by_turns(4)  # methods and coordinates that run the same code
 
 SIZE = hd.Parameter("size", "m", 0.1)
 MASS = hd.Parameter("mass", "kg", 0.9)

@@ -13,7 +13,7 @@ from hertzwerk.runtime.loading import engine_model
 from reference import ideal_slider_crank as ideal
 from reference.slider_crank import SliderCrank, reference
 
-pytestmark = pytest.mark.by_turns(2)  # methods and sizes that run the same code
+pytestmark = pytest.mark.by_turns(4)  # methods and sizes that run the same code
 
 SCENES = {"slider_crank_frictionless": False, "slider_crank": True}  # friction
 METHODS = ("dopri5", "dop853")

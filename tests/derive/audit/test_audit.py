@@ -335,7 +335,7 @@ def rescaled(request):
     return Rescaled(scene_from(request.param))
 
 
-@pytest.mark.by_turns(8)
+@pytest.mark.by_turns(12)
 @pytest.mark.parametrize(
     "factors", [pytest.param(factors, id=name, marks=[] if name == "together" else pytest.mark.exhaustive) for name, factors in FACTORS.items()],
 )  # fmt: skip

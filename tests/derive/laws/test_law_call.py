@@ -118,9 +118,8 @@ symbols.K = { unit = "N/m^1.5", meaning = "stiffness" }
 """
 
 
-def test_a_law_of_a_file_is_taken_by_its_name(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    file = tmp_path / "foam.toml"
+def test_a_law_of_a_file_is_taken_by_its_name(own_folder):
+    file = own_folder / "foam.toml"
     file.write_text(FOAM, encoding="utf-8")
     own = "foam(K=1e8 N/m^1.5)"
     for text, said in (

@@ -60,7 +60,7 @@ def derived(name, coordinates="tree"):
     return derive(replace(scene, coordinates=coordinates))
 
 
-@pytest.mark.by_turns(6)
+@pytest.mark.by_turns(12)
 @pytest.mark.parametrize("coordinates", ["tree", pytest.param("absolute", marks=pytest.mark.exhaustive)])
 @pytest.mark.parametrize("name", NAMES)
 def test_calls_change_no_bit(name, coordinates):

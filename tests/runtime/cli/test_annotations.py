@@ -39,13 +39,12 @@ BROKEN = "from hertzwerk.derive import Scene\n\nscene = Scene(mistake)\n"
 
 
 @pytest.fixture
-def project(tmp_path, monkeypatch):
+def project(own_folder):
     """A scratch repository with sound and wrong laws, in a folder with a blank."""
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "my laws").mkdir()
-    (tmp_path / "my laws" / "pads.toml").write_text(LAWS)
-    (tmp_path / "my laws" / "pad.py").write_text(LAW)
-    return tmp_path
+    (own_folder / "my laws").mkdir()
+    (own_folder / "my laws" / "pads.toml").write_text(LAWS)
+    (own_folder / "my laws" / "pad.py").write_text(LAW)
+    return own_folder
 
 
 def audit(*words, code=0):

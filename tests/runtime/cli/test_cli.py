@@ -363,8 +363,7 @@ def test_a_run_that_cannot_be_written_leaves_nothing_half_done(hertzwerk, monkey
 # ---- the process as a whole ------------------------------------------------------------------------------------------
 
 
-def test_a_run_of_a_generated_scene_imports_no_more_than_it_needs(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def test_a_run_of_a_generated_scene_imports_no_more_than_it_needs(own_folder):
     command = [
         sys.executable, "-X", "importtime", "-c", "from hertzwerk.runtime.cli import main; main()", "run",
         "slider_crank", "--no-plots",
@@ -376,8 +375,7 @@ def test_a_run_of_a_generated_scene_imports_no_more_than_it_needs(tmp_path, monk
     assert not imported & {"sympy", "matplotlib", "pydantic", "scipy", "rich", "pandas", "xarray", "pyarrow", "h5py"}
 
 
-def test_errors_go_to_stderr_and_the_version_is_reported(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def test_errors_go_to_stderr_and_the_version_is_reported(own_folder):
     done = process("run", "slider_crank", "--json", "--accuracy", "7")
     assert (done.returncode, done.stdout) == (2, "")
     assert "accuracy" in done.stderr

@@ -236,9 +236,8 @@ def test_a_file_has_the_keys_of_sweep():
 
 
 @pytest.mark.slow
-def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path, monkeypatch):
+def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(own_folder):
     """On a terminal of 80 columns, without colours where they are not wanted."""
-    monkeypatch.chdir(tmp_path)
     arguments = [
         "sweep", "slider_crank", "--over", "clearance=0.1..0.5 mm:400", "--duration", "10 rev", "--tolerance", "1e-9",
     ]  # fmt: skip

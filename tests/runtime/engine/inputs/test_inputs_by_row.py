@@ -20,13 +20,12 @@ TRAVEL = "final.slide.travel"
 
 
 @pytest.fixture
-def folder(tmp_path, monkeypatch):
-    (tmp_path / "pushed.py").write_text(PUSHED)
+def folder(own_folder):
+    (own_folder / "pushed.py").write_text(PUSHED)
     for name, loads in LOADS.items():
         rows = "".join(f"{t},{v}\n" for t, v in zip(TIMES, loads, strict=True))
-        (tmp_path / f"{name}.csv").write_text(f"time [s],push [N]\n{rows}")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+        (own_folder / f"{name}.csv").write_text(f"time [s],push [N]\n{rows}")
+    return own_folder
 
 
 def alone(push, **how):

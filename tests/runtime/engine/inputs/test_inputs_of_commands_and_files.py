@@ -18,12 +18,11 @@ TIMES, LOADS = (0.0, 0.5, 1.0, 2.0), (0.0, 3.0, -1.0, 0.0)
 
 
 @pytest.fixture
-def folder(tmp_path, monkeypatch):
-    (tmp_path / "pushed.py").write_text(PUSHED)
+def folder(own_folder):
+    (own_folder / "pushed.py").write_text(PUSHED)
     rows = "".join(f"{1e3 * t:g},{v:g}\n" for t, v in zip(TIMES, LOADS, strict=True))
-    (tmp_path / "bench.csv").write_text(f"time [ms],load [N]\n{rows}")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+    (own_folder / "bench.csv").write_text(f"time [ms],load [N]\n{rows}")
+    return own_folder
 
 
 def test_the_command_line_takes_constants_and_columns_of_files_and_a_run_goes_on_with_them(folder):

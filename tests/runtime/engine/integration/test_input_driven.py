@@ -16,7 +16,7 @@ from hertzwerk.runtime import Samples, simulate
 from hertzwerk.runtime.engine.run.continuation import with_steps
 from hertzwerk.runtime.loading import engine_model
 
-pytestmark = pytest.mark.by_turns(3)  # methods and coordinates that run the same code
+pytestmark = pytest.mark.by_turns(6)  # methods and coordinates that run the same code
 
 RNG = np.random.default_rng(5)
 TIMES = np.concatenate([[0.0], np.cumsum(RNG.uniform(0.01, 0.3, 12))])

@@ -2,12 +2,11 @@
 
 import json
 from dataclasses import replace
-from functools import cache, partial
+from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
-from commands import called
 
 from hertzwerk.runtime import InputError, Solution, simulate
 from hertzwerk.runtime.engine.model.build import build_hard_scene
@@ -145,12 +144,7 @@ def test_a_run_that_cannot_continue_says_why():
 # ---- from the command line -------------------------------------------------------------------------------------------
 
 
-@pytest.fixture
-def hertzwerk(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return partial(called, "run", "--no-plots")
-
-
+COMMAND = "run", "--no-plots"
 SET = ("--set", "clearance=0.3 mm", "--set", "guide.speed=0.1 m/s")
 
 

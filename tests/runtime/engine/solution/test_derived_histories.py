@@ -212,13 +212,14 @@ def worst_reaction(name, model):
     )
 
 
-@pytest.mark.by_turns(6)
+@pytest.mark.by_turns(12)
 @pytest.mark.parametrize(
     "name",
     [
         pytest.param(
             name,
-            marks=[pytest.mark.exhaustive] * (name in ("ball_bearing", "gears_with_backlash", "worn_slider_crank")),
+            marks=[pytest.mark.exhaustive]
+            * (name in ("ball_bearing", "gears_with_backlash", "geneva_drive", "worn_slider_crank")),
         )
         for name in sorted(set(NAMES) - set(REDUNDANT))
     ],

@@ -224,8 +224,7 @@ def test_a_knife_edge_lies_along_its_motion_and_what_has_no_mass_no_shape_has_no
     assert np.ptp(blades[0].get_ydata()) < 1e-9 < np.ptp(blades[0].get_xdata())
 
 
-def test_draw_writes_one_picture_and_never_over_another(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def test_draw_writes_one_picture_and_never_over_another(own_folder):
 
     hertzwerk = partial(called, "draw")
     hertzwerk("pendulum", "--set", "start_angle=-30 deg", "--duration", "0.5 s")

@@ -327,17 +327,16 @@ def test_a_video_has_the_frames_requested(ball, tmp_path):
     assert subprocess.run([*command, path], capture_output=True, text=True, check=True).stdout.strip() == "12"
 
 
-def test_the_command_writes_one_film_and_never_over_another(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def test_the_command_writes_one_film_and_never_over_another(own_folder):
     command = ["animate", "bouncing_ball", "--duration", "0.3 s", "--fps", "10", "--set", "drop_height=0.2 m"]
 
     hertzwerk = partial(called, *command)
     assert "6 frames, 2 times slower" in hertzwerk("--slow", "2").output
-    before = (tmp_path / "bouncing_ball.gif").read_bytes()
+    before = (own_folder / "bouncing_ball.gif").read_bytes()
     hertzwerk(code=2)
-    assert (tmp_path / "bouncing_ball.gif").read_bytes() == before
+    assert (own_folder / "bouncing_ball.gif").read_bytes() == before
     hertzwerk("--overwrite", "--slow", "1")
-    assert (tmp_path / "bouncing_ball.gif").read_bytes() != before
+    assert (own_folder / "bouncing_ball.gif").read_bytes() != before
     assert ".mp4" in hertzwerk("--out", "film.avi", "--fps", "many", code=2).output
 
 

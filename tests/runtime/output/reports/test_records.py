@@ -27,8 +27,7 @@ STUDY = {
 
 
 @pytest.fixture
-def report(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def report(own_folder):
 
     return called
 

@@ -114,15 +114,13 @@ def test_saved_runs_have_equations_where_their_declaration_is_at_hand(ball, tmp_
         saved.report(tmp_path / "x.html")
 
 
-def test_the_command_reports_a_run_folder_with_the_command_that_made_it(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-
+def test_the_command_reports_a_run_folder_with_the_command_that_made_it(own_folder):
     given = (
         "soft_ball", "--set", "drop_height=0.5 m", "--without", "energy_ledger", "--duration", "0.5 s", "--no-plots",
     )  # fmt: skip
     called("run", *given)
     called("report", "runs/soft_ball-001")
-    page = (tmp_path / "runs/soft_ball-001/report.html").read_text("utf-8")
+    page = (own_folder / "runs/soft_ball-001/report.html").read_text("utf-8")
     made = "hertzwerk run soft_ball --set 'drop_height=0.5 m' --without energy_ledger --duration '0.5 s' --no-plots"
     outline = Outline(page)
     assert made in outline.texts["pre"]
@@ -130,19 +128,18 @@ def test_the_command_reports_a_run_folder_with_the_command_that_made_it(tmp_path
     assert "energy_ledger" not in column(outline.tables["Effects"][0], "effect")
     assert "casadi" in page
     assert "which exists" in called("report", "runs/soft_ball-001", code=2).output
-    record = json.loads((tmp_path / "runs/soft_ball-001/run.json").read_text())
-    record["request"]["target"] = str(tmp_path / "never.py")  # a file is executed only where it is named
-    (tmp_path / "never.py").write_text("raise SystemExit(7)")
-    (tmp_path / "runs/soft_ball-001/run.json").write_text(json.dumps(sealed(record)))
+    record = json.loads((own_folder / "runs/soft_ball-001/run.json").read_text())
+    record["request"]["target"] = str(own_folder / "never.py")  # a file is executed only where it is named
+    (own_folder / "never.py").write_text("raise SystemExit(7)")
+    (own_folder / "runs/soft_ball-001/run.json").write_text(json.dumps(sealed(record)))
     called("report", "runs/soft_ball-001", "--out", "b.html")
-    assert "does not contain its scene" in (tmp_path / "b.html").read_text("utf-8")
+    assert "does not contain its scene" in (own_folder / "b.html").read_text("utf-8")
 
 
-def test_the_command_reports_a_scene(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def test_the_command_reports_a_scene(own_folder):
     called("report", "soft_ball")
-    outline = Outline((tmp_path / "soft_ball.html").read_text("utf-8"))
+    outline = Outline((own_folder / "soft_ball.html").read_text("utf-8"))
     assert {"Picture", "Parameters", "Equations"} <= set(outline.texts["h2"])
-    (tmp_path / "empty").mkdir()
+    (own_folder / "empty").mkdir()
     for wrong in ("sof_ball", "empty"):
         called("report", wrong, code=2)

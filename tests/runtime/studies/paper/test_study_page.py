@@ -5,11 +5,9 @@ import shlex
 import shutil
 import sqlite3
 from contextlib import closing
-from functools import partial
 
 import numpy as np
 import pytest
-from commands import called
 
 from hertzwerk.runtime import Sweep
 from hertzwerk.runtime.cli.page_folder import markdown
@@ -40,10 +38,7 @@ study = Study("own", "Is one near two?", run)
 """
 
 
-@pytest.fixture
-def hertzwerk(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return partial(called, "study")
+COMMAND = ("study",)
 
 
 def page(**fields):

@@ -16,7 +16,7 @@ from hertzwerk.runtime.engine.integration.step.layout import layouts
 from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH
 from hertzwerk.runtime.loading import engine_model
 
-pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code
+pytestmark = pytest.mark.by_turns(6)  # methods and sizes that run the same code
 
 METHODS = ("dopri5", "dop853")
 SEARCH = locate()

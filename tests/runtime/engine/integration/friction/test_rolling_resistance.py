@@ -14,7 +14,7 @@ from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.loading import engine_model
 
-pytestmark = pytest.mark.by_turns(2)  # methods and coordinates that run the same code
+pytestmark = pytest.mark.by_turns(4)  # methods and coordinates that run the same code
 
 ARM, PATCH, LAYER, MU = 3e-4, 1e-4, 1e-2, 0.2  # m, m, rad/s, 1
 DRILL = 3 * math.pi / 16 * MU * PATCH  # m, of Hertz's pressure

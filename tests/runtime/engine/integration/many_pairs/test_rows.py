@@ -16,7 +16,7 @@ from hertzwerk.runtime.engine.integration.events import event_location
 from hertzwerk.runtime.engine.integration.step.rounding_errors import bounds, gap_rounding
 from hertzwerk.runtime.loading import engine_model
 
-pytestmark = pytest.mark.by_turns(2)  # methods and sizes that run the same code
+pytestmark = pytest.mark.by_turns(4)  # methods and sizes that run the same code
 
 EPS = 2.0**-52
 
