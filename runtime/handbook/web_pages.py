@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -37,12 +38,20 @@ def pictures_of(page: str) -> list[str]:
     return _PICTURE.findall(page)
 
 
-def build(out: Path, command: Any, *, pictures: bool = True, builder: str = "html") -> str:
+def build(
+    out: Path,
+    command: Any,
+    *,
+    pictures: bool = True,
+    builder: str = "html",
+    progress: Callable[[float], object] = lambda _: None,
+) -> str:
     """Build the web pages into a folder; return the warnings of Sphinx, "" for none.
 
     command    the command line, `hertzwerk.runtime.cli.main`, for its pages of reference
     pictures   False: empty ones stand in place of those that code draws
     builder    of Sphinx; "linkcheck" requests the external links, and warns of those without an answer
+    progress   called with the fraction done, as pictures are drawn
     """
     with TemporaryDirectory() as folder:
         stage = Path(folder)
@@ -51,16 +60,17 @@ def build(out: Path, command: Any, *, pictures: bool = True, builder: str = "htm
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(page, copy)
         write_reference(stage / "reference", command)
-        _draw_all(stage, pictures=pictures)
+        _draw_all(stage, progress, pictures=pictures)
         return sphinx(stage, out, builder)
 
 
-def _draw_all(stage: Path, *, pictures: bool) -> None:
+def _draw_all(stage: Path, progress: Callable[[float], object], *, pictures: bool) -> None:
     """Run the pages that show pictures, in processes beside each other, or write empty pictures."""
     shown = {page: names for page in stage.rglob("*.md") if (names := pictures_of(page.read_text("utf-8")))}
     if pictures:
         with ThreadPoolExecutor(cores()) as pool:
-            list(pool.map(_draw, shown, shown.values()))
+            for number, _ in enumerate(pool.map(_draw, shown, shown.values()), 1):
+                progress(number / (len(shown) + 1))
         return
     from PIL import Image
 

@@ -11,7 +11,7 @@ import click
 
 from hertzwerk.derive.common.faults import refuse
 from hertzwerk.runtime.cli.target_options import unwritable_faults
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input
 
 FOLDER = click.Path(path_type=Path, file_okay=False)
 
@@ -54,10 +54,11 @@ def _build(out: Path) -> int:
     warnings: list[str] = []
 
     def fill(folder: Path) -> list[str]:
-        warnings.append(build(folder, main))
+        warnings.append(build(folder, main, progress=progress))
         return ["index.html"]
 
-    folder, files = new_folder("handbook", out, fill)
+    with Progress("handbook") as progress:
+        folder, files = new_folder("handbook", out, fill)
     index = (folder / files[0]).resolve()
     cache.keep(_key(), ".txt", str(index).encode())
     line("written", str(folder / files[0]))

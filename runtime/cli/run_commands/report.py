@@ -38,7 +38,6 @@ def report(target: str, out: Path | None, scene: str | None, overwrite: bool) ->
     `hertzwerk run`, `sweep`, `study`, `fit`, `propagate` or `minimise` wrote, FILE one of `Solution.save`, TARGET a
     built-in scene or a Python file that defines `scene`, which is executed.
     """
-    from hertzwerk.runtime.engine.solution.solution import write
     from hertzwerk.runtime.system.result_folder import new_file_faults
 
     place = Path(target)
@@ -46,6 +45,8 @@ def report(target: str, out: Path | None, scene: str | None, overwrite: bool) ->
     refuse("report", new_file_faults("--out", path, "name another, or add --overwrite", overwrite=overwrite))
     with Progress(f"report of {target}") as progress:
         progress.stage("making the page")
+        from hertzwerk.runtime.engine.solution.solution import write
+
         page = page_of(place, target, scene).encode()
     line("written", str(write(path, page, overwrite=overwrite)))
     return GOOD

@@ -115,14 +115,14 @@ def run(
     Ctrl-C or SIGTERM before the first step ends the command (exit code 130); after it, the run stops and its results
     are written. Exit code 1: the run has another outcome than `finished`.
     """
-    from hertzwerk.runtime.cli import run_folder
-
     wanted = out is not None or not as_json
     faults = [*unwritable_faults(out, wanted=wanted), *table_faults(file)]
     with (
         Progress(target or str(folder), shown=not as_json) as progress,
         Stopping(progress) as stopping,
     ):
+        from hertzwerk.runtime.cli import run_folder
+
         if folder is not None:
             solution, request = continue_run(folder, target, faults, stopping, **options)
         else:

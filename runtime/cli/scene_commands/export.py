@@ -61,26 +61,26 @@ def export(
     Its parameters, start and method are part of it. At least one of --c, --fmu, --latex, --mathml and --sympy is
     required.
     """
-    from hertzwerk.runtime.engine.run.run_request import Settings, check
-    from hertzwerk.runtime.engine.solution.history import unknown_histories
-    from hertzwerk.runtime.engine.start.start_values import split_values
-    from hertzwerk.runtime.export.export_contents import ExportRequest, with_zero_inputs
-
-    varied = Variation.taken(target, places)
-    wanted = [(each, place) for each in FORMATS if (place := places[each.name])]
-    faults = [fault for each, place in wanted if isinstance(place, Path) for fault in each.faults(place)]
-    if not wanted:
-        options = ", ".join(f"{each.option} {each.place}".rstrip() for each in FORMATS)
-        faults.append(Fault("export", "no format", f"one of {options}"))
-    stated = run_settings(target, duration=duration, accuracy=accuracy, tolerance=tolerance, method=method)
-    settings = Settings(**{**stated, "duration": stated["duration"] or "1 s"})
-    values, model = varied.values(faults), varied.model(faults, settings.faults)
-    parameters, initial = split_values(model, values)
-    faults += unknown_histories(model, outputs)
-    model = with_zero_inputs(with_inputs(model, varied.inputs, settings.duration, parameters, faults))
-    check(model, settings, parameters, initial, faults)
-    request = ExportRequest(model, parameters, initial, settings, tuple(outputs), int(fmi))
     with Progress(f"export of {target}") as progress:
+        from hertzwerk.runtime.engine.run.run_request import Settings, check
+        from hertzwerk.runtime.engine.solution.history import unknown_histories
+        from hertzwerk.runtime.engine.start.start_values import split_values
+        from hertzwerk.runtime.export.export_contents import ExportRequest, with_zero_inputs
+
+        varied = Variation.taken(target, places)
+        wanted = [(each, place) for each in FORMATS if (place := places[each.name])]
+        faults = [fault for each, place in wanted if isinstance(place, Path) for fault in each.faults(place)]
+        if not wanted:
+            options = ", ".join(f"{each.option} {each.place}".rstrip() for each in FORMATS)
+            faults.append(Fault("export", "no format", f"one of {options}"))
+        stated = run_settings(target, duration=duration, accuracy=accuracy, tolerance=tolerance, method=method)
+        settings = Settings(**{**stated, "duration": stated["duration"] or "1 s"})
+        values, model = varied.values(faults), varied.model(faults, settings.faults)
+        parameters, initial = split_values(model, values)
+        faults += unknown_histories(model, outputs)
+        model = with_zero_inputs(with_inputs(model, varied.inputs, settings.duration, parameters, faults))
+        check(model, settings, parameters, initial, faults)
+        request = ExportRequest(model, parameters, initial, settings, tuple(outputs), int(fmi))
         for each, place in progress.over(wanted, lambda format: format[0].option):
             report = each.write(request, place if isinstance(place, Path) else Path())
             progress.aside(partial(line, "written", report) if each.place else partial(click.echo, report))

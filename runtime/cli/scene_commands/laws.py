@@ -240,8 +240,6 @@ def _print_restitution(restitution: Restitution) -> None:
 
 
 def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool) -> int:
-    from hertzwerk.runtime.analysis.validation.restitution import study
-
     wanted = out is not None or not as_json
 
     faults = (
@@ -252,6 +250,8 @@ def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool
     faults += unwritable_faults(out, wanted=wanted)
     refuse("laws", faults)
     with Progress("restitution", shown=not as_json) as progress:
+        from hertzwerk.runtime.analysis.validation.restitution import study
+
         result = study(progress)
     code = conclude(
         lambda missing: _write(result, out, missing, plots=plots),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -47,18 +48,18 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
     valid, and what ten times more accuracy buys. Rows are printed as they are measured, with the time of one run; a
     table of medians follows.
     """
-    from hertzwerk.runtime.analysis.work_precision.accuracy_report import record
-    from hertzwerk.runtime.analysis.work_precision.reference_run import NoReferenceError
-    from hertzwerk.runtime.analysis.work_precision.work_precision_study import study
-
     wanted = out is not None or not as_json
-    problem = _problem(Variation.taken(target, options), out, wanted=wanted, **options)
-    name = problem.model.name
-    try:
-        with Progress(f"{name}: accuracy", shown=not as_json) as progress:
+    with Progress(f"{target}: accuracy", shown=not as_json) as progress:
+        from hertzwerk.runtime.analysis.work_precision.accuracy_report import record
+        from hertzwerk.runtime.analysis.work_precision.reference_run import NoReferenceError
+        from hertzwerk.runtime.analysis.work_precision.work_precision_study import study
+
+        problem = _problem(Variation.taken(target, options), out, wanted=wanted, **options)
+        try:
             result = study(problem, progress=progress, arrived=_shown(problem, progress, quiet=as_json))
-    except NoReferenceError as error:
-        return _without_reference(problem, error, as_json=as_json)
+        except NoReferenceError as error:
+            progress.aside(partial(_without_reference, problem, error, as_json=as_json))
+            return OTHER_OUTCOME
     return conclude(
         lambda missing: _write(result, out, missing),
         lambda: record(result),
@@ -136,7 +137,7 @@ def _report(result: Study) -> None:
         line("", sentence)
 
 
-def _without_reference(problem: Problem, error: NoReferenceError, *, as_json: bool) -> int:
+def _without_reference(problem: Problem, error: NoReferenceError, *, as_json: bool) -> None:
     """Report that no two methods reach the end, so that errors cannot be measured."""
 
     failed = {method: (run.outcome, run.engine.t_end) for method, run in error.runs.items()}
@@ -144,10 +145,9 @@ def _without_reference(problem: Problem, error: NoReferenceError, *, as_json: bo
         outcomes = {method: {"outcome": o.name, "message": o.message, "t_end": t} for method, (o, t) in failed.items()}
         nothing: dict[str, Any] = {"rows": [], "reference": None, "decade_cost": None, "recommended": None}
         click.echo(json_text({"scene": problem.model.name, **nothing, "outcomes": outcomes}))
-        return OTHER_OUTCOME
+        return
     line("no reference", "no two methods reach the end, so errors cannot be measured")
     for method, (outcome, _) in failed.items():
         line("", f"{method}: {outcome.message}")
     remedy = next(outcome.remedy for outcome, _ in failed.values())
     line("remedy", f"--duration with a shorter time; {remedy}")
-    return OTHER_OUTCOME

@@ -76,7 +76,8 @@ def effects(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
     the error of both is marked.
     """
     wanted = out is not None or not as_json
-    study = _study(target, out, quiet=as_json, wanted=wanted, **options)
+    with Progress(f"effects of {target}", shown=not as_json) as progress:
+        study = _study(target, out, progress, wanted=wanted, **options)
     code = conclude(
         lambda missing: _write(study, out, missing, plots=not no_plots),
         study.record,
@@ -87,7 +88,7 @@ def effects(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
     return code if study.outcome.finished else OTHER_OUTCOME
 
 
-def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **options: Any) -> Study:
+def _study(target: str, out: Path | None, progress: Progress, *, wanted: bool, **options: Any) -> Study:
     """Return the study of a command line; raises InputError."""
     from hertzwerk.runtime.analysis.effect_study.leaving_out import study_effects
     from hertzwerk.runtime.analysis.validation import scenarios
@@ -105,21 +106,20 @@ def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **option
         if not isinstance(tolerance, float):
             faults.append(Fault("--tolerance", repr(tolerance), "a number"))
     refuse("effects", faults)
-    with Progress(f"effects of {target}", shown=not quiet) as progress:
-        return study_effects(
-            target,
-            duration=options["duration"] or numbers.get("duration"),
-            tolerance=tolerance,
-            method=options["method"] or numbers.get("method", METHOD),
-            parameters=values,
-            inputs=inputs,
-            outputs=options["outputs"],
-            within=within,
-            without=options["without"],
-            laws=laws,
-            compiled=options["compiled"],
-            progress=progress,
-        )
+    return study_effects(
+        target,
+        duration=options["duration"] or numbers.get("duration"),
+        tolerance=tolerance,
+        method=options["method"] or numbers.get("method", METHOD),
+        parameters=values,
+        inputs=inputs,
+        outputs=options["outputs"],
+        within=within,
+        without=options["without"],
+        laws=laws,
+        compiled=options["compiled"],
+        progress=progress,
+    )
 
 
 def _fraction(text: str, faults: list[Fault]) -> float | None:

@@ -74,8 +74,6 @@ def minimise(target: str, out: Path | None, as_json: bool, **options: Any) -> in
     The search takes exact derivatives. A TOML file with the keys of `minimise` may take the place of TARGET and
     options. Exit code 1: no minimum was found.
     """
-    from hertzwerk.runtime.studies.minimisation import minimisation
-
     refuse("minimise", unwritable_faults(out, wanted=out is not None))
 
     def own(faults: list[Fault]) -> dict[str, Any]:
@@ -89,6 +87,8 @@ def minimise(target: str, out: Path | None, as_json: bool, **options: Any) -> in
 
     with Progress(f"minimum of {target}", shown=not as_json) as progress:
         progress.stage("searching")
+        from hertzwerk.runtime.studies.minimisation import minimisation
+
         minimum = minimisation.minimise(
             **definition(target, options, own, minimisation.minimise, ("target", "objective", "over", "duration")),
             progress=progress,

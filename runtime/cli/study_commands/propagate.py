@@ -82,7 +82,6 @@ def propagate(target: str, out: Path | None, file: Path | None, as_json: bool, *
     By derivatives and by samples, with Sobol indices. A TOML file with the keys of `propagate` may take the place of
     TARGET and options. Exit code 1: runs are missing.
     """
-    from hertzwerk.runtime.studies.uncertainty import propagation
     from hertzwerk.runtime.system.result_folder import new_file_faults
 
     def own(faults: list[Fault]) -> dict[str, Any]:
@@ -98,6 +97,8 @@ def propagate(target: str, out: Path | None, file: Path | None, as_json: bool, *
 
     refuse("propagate", [] if file is None else new_file_faults("--table", file))
     with Progress(f"uncertainty of {target}", shown=not as_json) as progress:
+        from hertzwerk.runtime.studies.uncertainty import propagation
+
         arguments = definition(target, options, own, propagation.propagate, ("target", "uncertain", "duration"))
         propagated = propagation.propagate(**arguments, out=out, progress=progress)
     if file is not None:

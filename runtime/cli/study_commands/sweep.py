@@ -147,22 +147,22 @@ def sweep(
     same keys may take the place of TARGET and options. Exit code 1: a row has another outcome than `finished`, or is
     missing.
     """
-    from hertzwerk.runtime.studies.sweeps.parameter_sweep import sweep as swept
-    from hertzwerk.runtime.studies.sweeps.sweep_store import PICTURE
-    from hertzwerk.runtime.system.interrupt import raise_interrupts
-    from hertzwerk.runtime.system.result_folder import failures_of, made_folder, remove_if_empty
-
     faults = table_faults(file)
     processes = _whole("--workers", workers, faults)
     if plot and as_json and out is None and resume is None:
         faults.append(Fault("--plot", "without a folder, as --json writes none", "--out DIR beside it"))
-    arguments = _arguments(target, resume, options, faults)
     folder = resume or out
     with ExitStack() as stack:
+        progress = stack.enter_context(Progress(target or str(folder), shown=not as_json))
+        from hertzwerk.runtime.studies.sweeps.parameter_sweep import sweep as swept
+        from hertzwerk.runtime.studies.sweeps.sweep_store import PICTURE
+        from hertzwerk.runtime.system.interrupt import raise_interrupts
+        from hertzwerk.runtime.system.result_folder import failures_of, made_folder, remove_if_empty
+
+        arguments = _arguments(target, resume, options, faults)
         if folder is None and not as_json:
             folder = made_folder(f"{Path(arguments['target']).stem}-sweep", None)
             stack.callback(remove_if_empty, folder)  # where the definition is refused
-        progress = stack.enter_context(Progress(str(arguments["target"]), shown=not as_json))
         client = stack.enter_context(_connected(cluster)) if cluster is not None else None
         progress.stage("building")
         begun: list[float] = []

@@ -15,3 +15,17 @@ var Scorer = {
   term: 5,
   partialTerm: 2,
 };
+
+/* Every word counts, so a page without one of them is found too, behind those that have more. */
+const withAll = Search.performTermsSearch;
+Search.performTermsSearch = (words, excluded) => {
+  const found = new Map();
+  for (const word of words) {
+    for (const result of withAll(new Set([word]), excluded)) {
+      const before = found.get(result[0]);
+      if (before) before[4] += result[4];
+      else found.set(result[0], result);
+    }
+  }
+  return [...found.values()].sort((a, b) => b[4] - a[4]).slice(0, 20);
+};

@@ -21,7 +21,7 @@ def test_it_shows_where_the_text_is_and_writes_notebooks(hertzwerk, tmp_path):
 
 
 def test_pages_that_were_built_are_found(hertzwerk, tmp_path, monkeypatch):
-    def build(folder, command):
+    def build(folder, command, **_):
         (folder / "index.html").write_text("<h1>hertzwerk</h1>")
         return ""
 
