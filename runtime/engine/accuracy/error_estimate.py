@@ -340,7 +340,7 @@ class Ladder(Generic[Data]):
         check = run
         for i in range(1 if rounded else 2):
             check = self._make(  # far below the least tolerance no step may be accepted
-                max(check.tolerance / CHECK, min(self._least, run.tolerance / 2)),
+                max(check.tolerance / CHECK, min(LEAST, run.tolerance / 2)),
                 (run, i),
                 most=(MORE_ROUNDED if rounded else MORE) * run.steps,
             )

@@ -335,7 +335,7 @@ def test_a_tighter_run_that_needs_many_more_steps_is_given_up():
 
     def run(tolerance, checks, most):
         recorded.append((tolerance, most))
-        work = 100 if tolerance > 3e-13 else 100_000
+        work = 100 if tolerance > 2e-13 else 100_000
         end = End.REACHED if work <= most else End.FAILED
         return Rung(tolerance, end, TIMES, np.full((POINTS, 1), 1e4 * tolerance), min(work, most), 100, 1.0, None)
 
@@ -344,7 +344,7 @@ def test_a_tighter_run_that_needs_many_more_steps_is_given_up():
     assert ladder_result.run.tolerance == 5e-13
     assert ladder_result.error.end == pytest.approx(5e-9)
     assert ladder_result.incomplete.end is End.FAILED  # which the outcome states beside the rounding
-    assert max(min(most, 100_000) for tolerance, most in recorded if tolerance < 3e-13) <= 500
+    assert max(min(most, 100_000) for tolerance, most in recorded if tolerance < 2e-13) <= 500
 
 
 def test_a_run_is_checked_at_the_least_tolerance_rather_than_below_it():
