@@ -5,7 +5,9 @@ The code of a stage, and what it reads, stays in the processor's cache for all o
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Generator, Sequence
+from itertools import count, zip_longest
 from typing import TypeAlias, TypeVar
 
 Result = TypeVar("Result")
@@ -16,12 +18,9 @@ Stages: TypeAlias = Generator[None, None, Result]
 def in_stages(pieces: Sequence[Stages[Result]]) -> list[Result]:
     """Return the results of pieces of work in their order; what one raises ends all."""
     results: dict[int, Result] = {}
-    left = dict(enumerate(pieces))
-    while left:
-        for i, piece in tuple(left.items()):
-            try:
-                next(piece)
-            except StopIteration as end:
-                results[i] = end.value
-                del left[i]
+
+    def in_place(i: int, piece: Stages[Result]) -> Stages[None]:
+        results[i] = yield from piece
+
+    deque(zip_longest(*map(in_place, count(), pieces)), 0)
     return [results[i] for i in range(len(pieces))]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import math
+import pickle
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal, TypeAlias
@@ -32,6 +33,7 @@ from hertzwerk.runtime.system.lazy import cached_property
 ACCURACIES, TOLERANCES = (1e-12, 1e-1), (LEAST, 1e-1)
 METHOD: Final = "auto"  # where none is named: bitwise dop853 where nothing is stiff, within 5 % of its time
 REMEMBERED = 64  # inputs of a model kept as read
+LIMITS = "max_steps", "max_events", "wall_time"
 
 Compiled: TypeAlias = bool | Literal["auto"]
 Accuracy: TypeAlias = float | str
@@ -83,12 +85,7 @@ class Settings:
     @cached_property
     def limits(self) -> Limits:
         """Limits of steps and contacts of each run, of the wall time of all runs together."""
-        steps, events, wall_time = (math.inf if limit is None else limit for _, limit in self._stated_limits)
-        return Limits(steps, events, wall_time)
-
-    @property
-    def _stated_limits(self) -> list[tuple[str, float | None]]:
-        return [("max_steps", self.max_steps), ("max_events", self.max_events), ("wall_time", self.wall_time)]
+        return Limits(self.max_steps or math.inf, self.max_events or math.inf, self.wall_time or math.inf)
 
     def check(self, model: EngineModel) -> None:
         """Raise InputError for input that is bad whatever the parameters of the run."""
@@ -129,8 +126,8 @@ class Settings:
             faults.append(Fault("method", shown(self.method), f"one of {', '.join(sorted(METHODS))}"))
         elif self.method not in METHODS:
             faults.append(unknown("method", self.method, sorted(METHODS)))
-        for name, limit in self._stated_limits:
-            whole = name != "wall_time"
+        for name in LIMITS:
+            limit, whole = getattr(self, name), name != "wall_time"
             if limit is not None and not (is_real(limit) and limit > 0 and not (whole and limit % 1)):
                 faults.append(Fault(name, shown(limit), f"a positive {'whole ' * whole}number"))
         if not (isinstance(self.compiled, bool) or (isinstance(self.compiled, str) and self.compiled == "auto")):
@@ -285,13 +282,10 @@ def _remembered(_: EngineModel) -> dict[Hashable, RunRequest]:
 
 def _key(value: object) -> Hashable:
     """Return a key that distinguishes 1, True, 1.0 and "1", 0.0 and -0.0; unique where none exists."""
-    if isinstance(value, float):
-        return type(value), value.hex()
-    if isinstance(value, str | int | None):
-        return type(value), value
-    if isinstance(value, tuple):
-        return tuple(map(_key, value))
-    return tuple((name, _key(each)) for name, each in value.items()) if isinstance(value, Mapping) else object()
+    try:
+        return pickle.dumps(value)
+    except Exception:  # whatever an object raises that has no such text
+        return object()
 
 
 def read_duration(

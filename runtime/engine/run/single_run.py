@@ -251,15 +251,10 @@ class SingleRun:
 
     def _initial_state(self, controls: np.ndarray) -> np.ndarray:
         """Return the state of the engine at the start of the motion."""
-        begin, latches, integrator = self.engine.begin.take(), self.request.latches, self.engine.integrator
+        request, latches, integrator = self.request, self.request.latches, self.engine.integrator
         if isinstance(integrator.model, NearModel):
             latches = latches_of(integrator.model, latches, controls[integrator.layouts.controls["c"]])
-        for place, values in zip(
-            begin.inputs, (self.request.begin, self.request.q, self.request.u, latches, controls), strict=True
-        ):
-            place[:] = values
-        state: np.ndarray = begin()[0][0].copy()
-        self.engine.begin.give_back(begin)
+        (state,) = self.engine.begin(request.begin, request.q, request.u, latches, controls)
         return state
 
 

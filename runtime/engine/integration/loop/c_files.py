@@ -57,16 +57,14 @@ _LOOP = """{head} {{
   const casadi_real *state = arg[0], *tally = arg[2], *before[2] = {{arg[0], arg[2]}};
   casadi_real *states = res[0], *counted = res[1], *after[2] = {{res[0], res[1]}}, kept[2][{counted} + 1];
   int i, j, failed = 0;
-  for (i = 0; i < {columns} && !failed; ++i, states += {rows}) {{
-    if (state[{status}] == 0) {{
-      arg[0] = state, arg[2] = tally, res[0] = states, res[1] = kept[i % 2];
-      failed = {attempt}(arg, res, iw, w, mem);
-      tally = kept[i % 2];
-    }} else for (j = 0; j < {rows}; ++j) states[j] = state[j];
-    state = states;
+  for (i = 0; i < {columns} && !failed && state[{status}] == 0; ++i, states += {rows}) {{
+    arg[0] = state, arg[2] = tally, res[0] = states, res[1] = kept[i % 2];
+    failed = {attempt}(arg, res, iw, w, mem);
+    state = states, tally = kept[i % 2];
   }}
+  res[0] = after[0], res[0][({columns} - 1) * {rows} + {status}] = state[{status}];
   for (j = 0; j < {counted}; ++j) counted[j] = tally[j];
-  arg[0] = before[0], arg[2] = before[1], res[0] = after[0], res[1] = after[1];
+  arg[0] = before[0], arg[2] = before[1], res[1] = after[1];
   return failed;
 }}"""
 _ARGUMENT = re.compile(r"arg\[(\d+)\]\? arg\[\1\]\[(\d+)\] : 0")
@@ -124,7 +122,7 @@ def c_files(text: str) -> list[CFile]:
 def looped(text: str, chunk: Any) -> str:
     """Return the text of `chunk.one`, an attempt, with a loop that gives what the chunk gives.
 
-    Attempts after the end repeat it. What each returns is its column; nothing is copied but what is counted.
+    It ends with the run, whose status its last column has. What each returns is its column; nothing is copied but what is counted.
     """
     name, (rows, columns), counted = chunk.name(), chunk.size_out(0), chunk.numel_out(1)
     call = rf"(int {name}{re.escape(_ARGUMENTS)})\{{\n  return (\w+)\(.*\n}}"
