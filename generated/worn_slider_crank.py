@@ -9,7 +9,7 @@ Effects:
     wear: Archard's wear at slider_pin
     energy_ledger: work put in, energy dissipated per effect
 Units: 195 assignments and 524 outputs checked, all consistent
-Operations: flight 974 (equations of motion and gaps); in contact also contact_slider_pin 420
+Operations: flight 994 (equations of motion and gaps); in contact also contact_slider_pin 428
 """
 
 import casadi as ca
@@ -18,7 +18,7 @@ NAME = "worn_slider_crank"
 SOURCE = "derive/scenes/worn_slider_crank.py"
 SUMMARY = "slider-crank, clearance joint that wears"
 FORMAT = "hertzwerk module 1"
-DIGEST = "456b0b60e772c2afaa9be7f56fd0b8e4"
+DIGEST = "74eae1a9a7cd866b1097550215569321"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
@@ -212,8 +212,8 @@ CONSTANTS = (
 )
 
 OPERATIONS = (
-    ("constants", 90), ("start", 5), ("scales", 15), ("coordinate_rates", 0), ("gaps", 342), ("gap_accelerations", 584),
-    ("contact_slider_pin", 420), ("applied", 11), ("accelerations", 37), ("ledger", 1), ("energy", 285), ("poses", 10), ("outputs", 78),
+    ("constants", 90), ("start", 5), ("scales", 15), ("coordinate_rates", 0), ("gaps", 350), ("gap_accelerations", 596),
+    ("contact_slider_pin", 428), ("applied", 11), ("accelerations", 37), ("ledger", 1), ("energy", 289), ("poses", 10), ("outputs", 78),
     ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
 
@@ -227,17 +227,24 @@ def _shares(n, order, x, y):
     """Shares of n sectors, a power of 2, in the direction (x, y) of length 1: smooth, not negative, and 1 in all.
 
     Jackson's kernel, the fourth power of sin(n a/4)/sin(a/2) by the angle a from a sector's middle: a polynomial of cos(a) whose
-    degree is below n, so that its samples have a constant sum. Order 1, 2: derivatives by the direction's angle.
+    degree is below n, so that its samples have a constant sum. Order 1, 2: derivatives by the direction's angle. Functions of
+    vectors, which are called: a loop over the sectors, where scalars would be thousands of operations.
     """
-    middles = ca.DM(range(n))*(2*ca.pi/n)
-    cosine, sine = ca.cos(middles), ca.sin(middles)
-    w, dw = cosine*x + sine*y, sine*x - cosine*y
-    value, slope, bend, ddw, half = 1, 0, 0, -w, n//2
-    while half > 1:
-        f, df, ddf = (1 + w)/2, dw/2, ddw/2
-        value, slope, bend = value*f, slope*f + value*df, bend*f + 2*slope*df + value*ddf
-        w, dw, ddw, half = 2*w**2 - 1, 4*w*dw, 4*(dw**2 + w*ddw), half//2
-    return 3/(4 + 8/n**2)*(value**2, 2*value*slope, 2*(slope**2 + value*bend))[order]
+    if n not in _SHARES:
+        towards, middles = ca.MX.sym("towards", 2), ca.DM(range(n))*(2*ca.pi/n)
+        cosine, sine = ca.cos(middles), ca.sin(middles)
+        w, dw = cosine*towards[0] + sine*towards[1], sine*towards[0] - cosine*towards[1]
+        value, slope, bend, ddw, half = 1, 0, 0, -w, n//2
+        while half > 1:
+            f, df, ddf = (1 + w)/2, dw/2, ddw/2
+            value, slope, bend = value*f, slope*f + value*df, bend*f + 2*slope*df + value*ddf
+            w, dw, ddw, half = 2*w**2 - 1, 4*w*dw, 4*(dw**2 + w*ddw), half//2
+        shares = [3/(4 + 8/n**2)*each for each in (value**2, 2*value*slope, 2*(slope**2 + value*bend))]
+        _SHARES[n] = [ca.Function("shares", [towards], [each], {"never_inline": True}) for each in shares]
+    return _SHARES[n][order](ca.vertcat(x, y))
+
+
+_SHARES: "dict[int, list[ca.Function]]" = {}
 
 
 def constants(p):

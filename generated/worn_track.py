@@ -9,7 +9,7 @@ Effects:
     wear: Archard's wear at plate
     energy_ledger: work put in, energy dissipated per effect
 Units: 69 assignments and 305 outputs checked, all consistent
-Operations: flight 259 (equations of motion and gaps); in contact also contact_plate 222
+Operations: flight 267 (equations of motion and gaps); in contact also contact_plate 226
 """
 
 import casadi as ca
@@ -18,7 +18,7 @@ NAME = "worn_track"
 SOURCE = "derive/scenes/worn_track.py"
 SUMMARY = "ball that wears its track, to and fro"
 FORMAT = "hertzwerk module 1"
-DIGEST = "9af8d9b1fcd0f53b6b6fc5a43e176347"
+DIGEST = "b143c2db25bf48d49999424c59f85df1"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("drive", "drive", "harmonic motion of along"), ("plate", "contact", "power x kelvin_voigt"),
@@ -133,8 +133,8 @@ CONSTANTS = (
 )
 
 OPERATIONS = (
-    ("constants", 36), ("start", 13), ("scales", 34), ("coordinate_rates", 0), ("gaps", 124), ("gap_accelerations", 127),
-    ("contact_plate", 222), ("applied", 1), ("accelerations", 7), ("ledger", 4), ("energy", 83), ("poses", 4), ("outputs", 66),
+    ("constants", 36), ("start", 13), ("scales", 34), ("coordinate_rates", 0), ("gaps", 128), ("gap_accelerations", 131),
+    ("contact_plate", 226), ("applied", 1), ("accelerations", 7), ("ledger", 4), ("energy", 85), ("poses", 4), ("outputs", 68),
     ("period", 3), ("landmarks", 1),
 )
 
@@ -148,17 +148,24 @@ def _shares(n, order, x, y):
     """Shares of n sectors, a power of 2, in the direction (x, y) of length 1: smooth, not negative, and 1 in all.
 
     Jackson's kernel, the fourth power of sin(n a/4)/sin(a/2) by the angle a from a sector's middle: a polynomial of cos(a) whose
-    degree is below n, so that its samples have a constant sum. Order 1, 2: derivatives by the direction's angle.
+    degree is below n, so that its samples have a constant sum. Order 1, 2: derivatives by the direction's angle. Functions of
+    vectors, which are called: a loop over the sectors, where scalars would be thousands of operations.
     """
-    middles = ca.DM(range(n))*(2*ca.pi/n)
-    cosine, sine = ca.cos(middles), ca.sin(middles)
-    w, dw = cosine*x + sine*y, sine*x - cosine*y
-    value, slope, bend, ddw, half = 1, 0, 0, -w, n//2
-    while half > 1:
-        f, df, ddf = (1 + w)/2, dw/2, ddw/2
-        value, slope, bend = value*f, slope*f + value*df, bend*f + 2*slope*df + value*ddf
-        w, dw, ddw, half = 2*w**2 - 1, 4*w*dw, 4*(dw**2 + w*ddw), half//2
-    return 3/(4 + 8/n**2)*(value**2, 2*value*slope, 2*(slope**2 + value*bend))[order]
+    if n not in _SHARES:
+        towards, middles = ca.MX.sym("towards", 2), ca.DM(range(n))*(2*ca.pi/n)
+        cosine, sine = ca.cos(middles), ca.sin(middles)
+        w, dw = cosine*towards[0] + sine*towards[1], sine*towards[0] - cosine*towards[1]
+        value, slope, bend, ddw, half = 1, 0, 0, -w, n//2
+        while half > 1:
+            f, df, ddf = (1 + w)/2, dw/2, ddw/2
+            value, slope, bend = value*f, slope*f + value*df, bend*f + 2*slope*df + value*ddf
+            w, dw, ddw, half = 2*w**2 - 1, 4*w*dw, 4*(dw**2 + w*ddw), half//2
+        shares = [3/(4 + 8/n**2)*each for each in (value**2, 2*value*slope, 2*(slope**2 + value*bend))]
+        _SHARES[n] = [ca.Function("shares", [towards], [each], {"never_inline": True}) for each in shares]
+    return _SHARES[n][order](ca.vertcat(x, y))
+
+
+_SHARES: "dict[int, list[ca.Function]]" = {}
 
 
 def constants(p):
