@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 
 from hertzwerk.runtime.output.plots.arrangement import Arrangement
 from hertzwerk.runtime.output.plots.curves import Curves
+from hertzwerk.runtime.output.plots.picture_samples import Rows
 from hertzwerk.runtime.output.plots.plot_panel import caption, over_time
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, STYLE, VERMILLION
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
@@ -51,10 +52,11 @@ def contour(depths: Array, angles: Array) -> Array:
 
 def plot_wear(run: EngineSolution, wear: str) -> Figure:
     """Draw the worn contours at five instants, also unrolled, and the volume lost."""
-    curves, surfaces = Curves.of(run), worn_surfaces(run, wear)
-    rows = np.unique(np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], INSTANTS + 1)[1:]))
+    rows = Curves(run, run.t, Rows(run), scale_of("s", run.t[-1])) if len(run.t) else Curves.of(run)  # which refuses
+    surfaces = worn_surfaces(run, wear)
+    shown = np.unique(np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], INSTANTS + 1)[1:]))
     track = "track" in surfaces
-    lines = {name: contour(depths[:, rows], ANGLES - np.pi * track) for name, depths in surfaces.items()}
+    lines = {name: contour(depths[:, shown], ANGLES - np.pi * track) for name, depths in surfaces.items()}
     deepest = max(float(of.max()) for of in lines.values()) or 1.0
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(9.5 if track else 12.5, 6.4), layout=Arrangement())
@@ -63,12 +65,11 @@ def plot_wear(run: EngineSolution, wear: str) -> Figure:
             _around(figure.add_subplot(grid[:, 0]), run, wear, lines, deepest)
         _unrolled(figure.add_subplot(grid[0, -1]), lines, track=track)
         below = figure.add_subplot(grid[1, -1])
-        volume = curves[f"{wear}.volume"] * 1e9
-        below.plot(curves.time(curves.t), volume, color=GREY)
+        below.plot(rows.time(run.t), run[f"{wear}.volume"] * 1e9, color=GREY)
         below.set_ylim(bottom=0)
-        over_time(below, curves, "Volume lost [mm³]")
+        over_time(below, rows, "Volume lost [mm³]")
         text = next(text for name, _, text in run.engine.model.module.EFFECTS if name == wear)
-        caption(figure, run, f"{wear}, {text}", curves.notes)
+        caption(figure, run, f"{wear}, {text}")
     return figure
 
 
