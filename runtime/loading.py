@@ -208,6 +208,9 @@ def engine_model(
     """Return the engine's model of any target, varied as `load` varies it; raises InputError."""
     if isinstance(target, Model):
         target = target.engine
+    plain = isinstance(without, tuple) and not without and laws is None and coordinates is None
+    if plain and isinstance(target, EngineModel):  # as of every run
+        return target
     refuse("load", _type_faults(target, without, laws, coordinates))
     varied = bool(without or laws or coordinates is not None)
     if isinstance(target, EngineModel) and not varied:

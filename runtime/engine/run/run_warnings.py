@@ -14,9 +14,11 @@ from hertzwerk.derive.common.grouping import some
 from hertzwerk.runtime.engine.integration.loop.automatic_compilation import Code
 from hertzwerk.runtime.engine.integration.step.layout import RELEASED
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
+from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.solution.history import History, constraint_force
 
 
+@per_model
 def unchecked(model: EngineModel) -> tuple[str, ...]:
     """Return what a model runs on purpose: inconsistent effects, velocities against its positions."""
     return (

@@ -58,7 +58,7 @@ def checkpoint_of(model: EngineModel, ending: Ending, initial: Mapping[str, Valu
 
 def digest(model: EngineModel) -> str:
     """Return the digest of a generated module's text, and of the values of its inputs."""
-    return "-".join((_text_digest(model), *(of_inputs[:32] for of_inputs in [digest_of(model.signals)] if of_inputs)))
+    return "-".join(filter(None, (_text_digest(model), digest_of(model.signals)[:32])))
 
 
 @per_model

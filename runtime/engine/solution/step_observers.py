@@ -131,10 +131,10 @@ class Findings:
         self._later = Needs.STEPS in needs
         self.needs = EVERYTHING if self._later else needs
         self._steps: list[History] = []
-        self._watch = Watch(model) if model.k and Needs.IMPACTS in self.needs and not self._later else None
+        self._watch = Watch(model) if not self._later and model.k and Needs.IMPACTS in needs else None
         self._choices = Choices() if method == "auto" and Needs.CHOICES in self.needs else None
-        self._lasting = LastingContacts(model) if self.needs and model.latches else None
-        self._summing = self._new_sums(None) if Needs.SUMS in needs and not self._later else None
+        self._lasting = LastingContacts(model) if not self._later and needs and model.latches else None
+        self._summing = self._new_sums(None) if not self._later and Needs.SUMS in needs else None
 
     def __repr__(self) -> str:
         return f"<Findings {self._model.name}: of {self._begin:g} to {self._duration:g} s>"
@@ -198,7 +198,9 @@ class Findings:
     @cached_property
     def lasting(self) -> tuple[Lasting, ...]:
         """Every contact that left its law, none where nothing is needed of the steps."""
-        return () if self._lasting is None else self._observed(self._lasting).contacts
+        if self._later and self._model.latches:
+            return self._observed(LastingContacts(self._model)).contacts
+        return () if self._lasting is None else self._lasting.contacts
 
     @cached_property
     def choices(self) -> tuple[Choice, ...]:
