@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, among, shown, unknown
-from hertzwerk.derive.common.markup import heading, joined, table, tag
 from hertzwerk.runtime.analysis.rigid_limit.rigid_equations import Equations, distance_of, refused, tangent_faults
 from hertzwerk.runtime.analysis.rigid_limit.rigid_impact import RigidImpact, read_impacts
 from hertzwerk.runtime.analysis.rigid_limit.rigid_run import (
@@ -30,6 +29,7 @@ from hertzwerk.runtime.engine.solution.history import Histories
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END, Outcome
 from hertzwerk.runtime.engine.start.start_values import stated_values
 from hertzwerk.runtime.loading import Target, engine_model
+from hertzwerk.runtime.output.tables.notebook import Printed
 from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
@@ -57,7 +57,7 @@ class StifferRun:
 
 
 @dataclass(frozen=True, eq=False)
-class RigidLimit(Histories):
+class RigidLimit(Printed, Histories):
     """Rigid limit of a scene: a mapping from coordinates and speeds to their values at `t`, in SI.
 
     impulses, accumulations    impacts, and the ends of sequences of ever shorter flights
@@ -240,10 +240,6 @@ class RigidLimit(Histories):
         widths = [max(len(row[i]) for row in (head, *rows)) for i in range(len(head))]
         lines = ["  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)) for row in (head, *rows)]
         return "\n".join([*self.lines, *(lines if rows else [])])
-
-    def _repr_html_(self) -> str:
-        head = heading(self.model.name, self.outcome.name, ": rigid limit", good=self.outcome.finished)
-        return joined([head, *(tag("p", text) for text in self.lines[1:]), table(*self.rows)])
 
     def plot(self) -> Figure:
         """Draw gap, energy and, with stiffer runs, the convergence of the impacts' onsets."""

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown
-from hertzwerk.derive.common.markup import heading, joined, table, tag
 from hertzwerk.runtime.analysis.statics.balance import (
     UNDAMPED,
     along_of,
@@ -36,6 +35,7 @@ from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.start.assembly import closed_near, journals
 from hertzwerk.runtime.engine.start.start_values import start_of, stated_values
 from hertzwerk.runtime.loading import Target, engine_model
+from hertzwerk.runtime.output.tables.notebook import Printed
 from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
 
@@ -124,7 +124,7 @@ def drive_units(held: EngineModel) -> dict[str, str]:
 
 
 @dataclass(frozen=True)
-class Equilibrium(Mapping[str, Value]):
+class Equilibrium(Printed, Mapping[str, Value]):
     """Position of rest of a model at a time; as a mapping, the `initial` of a run.
 
     outcome     "found"; "not_unique" where freedoms are indifferent; "no_equilibrium"
@@ -233,12 +233,6 @@ class Equilibrium(Mapping[str, Value]):
         ]
         lines += [f"{kind:<13} {name} = {_shown(value, unit)}" for kind, name, value, unit in self.rows]
         return "\n".join([*lines, *self.notes])
-
-    def _repr_html_(self) -> str:
-        name = self.outcome.name
-        head = heading(self.model.name, name, f": {self.outcome.message}", good=name == "found")
-        rows = ((kind, name, _shown(value, unit)) for kind, name, value, unit in self.rows)
-        return joined([head, *(tag("p", note) for note in self.notes), table(("", "name", "value"), rows)])
 
 
 def equilibrium(

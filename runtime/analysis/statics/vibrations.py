@@ -21,7 +21,6 @@ import scipy.linalg
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
-from hertzwerk.derive.common.markup import heading, table
 from hertzwerk.runtime.analysis.statics.balance import RANK, UNDAMPED, kernel
 from hertzwerk.runtime.analysis.statics.equilibrium import Equilibrium, dents_of, equilibrium, inputs_at
 from hertzwerk.runtime.engine.inputs.input_values import Input
@@ -38,6 +37,7 @@ from hertzwerk.runtime.engine.run.run_request import read_duration
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.engine.start import start_values
 from hertzwerk.runtime.loading import Target
+from hertzwerk.runtime.output.tables.notebook import Printed
 from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
@@ -215,7 +215,7 @@ class Mode:
 
 
 @dataclass(frozen=True)
-class Modes(Sequence[Mode]):
+class Modes(Printed, Sequence[Mode]):
     """Modes of a model at a state, by rising frequency, those that do not vibrate first."""
 
     model: EngineModel = field(repr=False)
@@ -308,17 +308,6 @@ class Modes(Sequence[Mode]):
             shape = (f"{name} {_phasor(x, units[name])}" for name, x in mode.shape.items() if abs(x) > SMALL)
             lines.append(f"{i}: {mode}; {', '.join(shape)}")
         return "\n".join([*lines, *self.notes])
-
-    def _repr_html_(self) -> str:
-        head = heading(
-            self.model.name, "stable" if self.stable else "unstable", f": {len(self)} modes", good=self.stable
-        )
-        names = [name for name in self.model.coordinates if any(abs(mode.shape[name]) > SMALL for mode in self.modes)]
-        rows = (
-            (str(i), str(mode), *(_phasor(mode.shape[name]) for name in names)) for i, mode in enumerate(self.modes, 1)
-        )
-        header = ("mode", "", *(f"{name} [{self.model.units[name]}]" for name in names))
-        return head + "".join(f"<p>{note}</p>" for note in self.notes) + table(header, rows)
 
 
 def modes(
@@ -430,7 +419,7 @@ def _modes(
     return Modes(model, bound, t, q, tuple(vibrations), linear.A, tuple(notes))
 
 
-def _phasor(x: complex, unit: str = "1") -> str:
+def _phasor(x: complex, unit: str) -> str:
     """Return a deviation with its unit, and its phase where that is neither 0 nor 180 deg."""
     behind = "" if unit == "1" else f" {unit}"
     if abs(x.imag) <= 1e-6 * abs(x):

@@ -365,9 +365,8 @@ def _write(
     texts = {"fit.json": record_text({**estimates.record(), **about})}
     if isinstance(estimates, Fit):
         texts["fit.csv"] = estimates.csv()
-    texts["fit.md"] = estimates.markdown()
     if ranking is not None:
-        texts |= {"laws.json": record_text({**ranking.record(), **about}), "laws.md": ranking.markdown()}
+        texts["laws.json"] = record_text({**ranking.record(), **about})
     return write_study(f"{estimates.scene}-fit", out, texts, estimates.plot if plots else None, missing)
 
 

@@ -1,8 +1,9 @@
-"""Models and runs as notebooks show them: picture, parameters, effects; outcome, first impacts."""
+"""Results as notebooks show them: models with a picture, runs with their first impacts, others as they are printed."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from hertzwerk.derive.common.markup import OTHER, Markup, embedded, heading, joined, table, tag, titled
@@ -12,6 +13,24 @@ if TYPE_CHECKING:
 
     from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
+
+
+class Printed:
+    """Result that a notebook shows as `print` does."""
+
+    def _repr_html_(self) -> str:
+        return tag("pre", str(self))
+
+
+class Sentences(Printed, ABC):
+    """Result in sentences, each with a label."""
+
+    @abstractmethod
+    def lines(self) -> Iterator[tuple[str, str]]:
+        """Yield what was found, as labels and sentences."""
+
+    def __str__(self) -> str:
+        return "\n".join(f"{label}: {text}" for label, text in self.lines())
 
 
 def of_model(model: EngineModel, picture: Figure) -> Markup:

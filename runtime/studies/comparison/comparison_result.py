@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hertzwerk.derive.common.units import time_text
+from hertzwerk.runtime.output.tables.notebook import Sentences
 from hertzwerk.runtime.studies.comparison.signal_statistics import Estimated, Statistic, by_chance
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ class Signal:
 
 
 @dataclass(frozen=True)
-class Comparison:
+class Comparison(Sentences):
     """Result of `compare`: a run beside measured data.
 
     horizon     time [s] up to which trajectories are compared: the run's own errors grow to 0.1 % of its scales there
@@ -96,9 +97,6 @@ class Comparison:
         yield "verdict", _verdict(self)
         for warning in self.warnings:
             yield "warning", warning
-
-    def __str__(self) -> str:
-        return "\n".join(f"{label}: {text}" for label, text in self.lines())
 
     def plot(self) -> Figure:
         """Draw measured data over the run, the residual, and spectra, for each signal."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
 from itertools import combinations
@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.derive.common.markup import heading, joined, table, tag
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.runtime.engine.model.free_quantities import Free
+from hertzwerk.runtime.output.tables.notebook import Sentences
 from hertzwerk.runtime.simulation import Solution
 from hertzwerk.runtime.studies.comparison.comparison_request import Channel
 from hertzwerk.runtime.studies.comparison.residuals import Residual
@@ -89,7 +89,7 @@ class Goodness:
 
 
 @dataclass(frozen=True)
-class Estimates(ABC):
+class Estimates(Sentences):
     """Fitted quantities of a scene, of whatever data.
 
     values      what was fitted, by name
@@ -186,20 +186,6 @@ class Estimates(ABC):
             "verdict": self.verdict,
             "warnings": list(self.warnings),
         }
-
-    def markdown(self) -> str:
-        """Return the fit as Markdown."""
-        return "".join(f"- {label}: {text}\n" for label, text in self.lines())
-
-    def __str__(self) -> str:
-        return "\n".join(f"{label}: {text}" for label, text in self.lines())
-
-    def _repr_html_(self) -> str:
-        word = {True: "explained", False: "rejected", None: "not judged"}[self.explained]
-        head = heading(self.scene, word, f": {self.verdict}", good=self.explained is not False)
-        rows = ((name, str(value), value.interval.how) for name, value in self.values.items())
-        remarks = (tag("p", text) for text in (*self.unidentified, *self.warnings))
-        return joined([head, table(("quantity", "value and 95 % interval", "obtained by"), rows), *remarks])
 
     def distribution(self) -> Correlated:
         """Return how uncertain the quantities are, as `propagate` takes it.
@@ -330,19 +316,6 @@ class Fit(Estimates):
                 name = [signal.run, signal.channel.column, signal.channel.unit]
                 rows.append(",".join([*(f'"{text}"' for text in name), *numbers, str(int(used))]))
         return "\n".join(rows) + "\n"
-
-    def markdown(self) -> str:
-        """Return the fit as a page of Markdown."""
-        first, *rest = self.lines()
-        rows = ["| quantity | value | 95 % interval | unit | obtained by |", "|---|---|---|---|---|"]
-        for value in self.fitted.values():
-            digits = _digits(value.value, value.interval)
-            low, high = _ends(value.interval, digits)
-            rows.append(
-                f"| {value.name} | {value.value:.{digits}g} | {low} to {high} | {value.unit} | {value.interval.how} |"
-            )
-        notes = [f"- {label}: {text}" for label, text in rest if label not in self.fitted]
-        return "\n".join([f"# Fit of {first[1]}", "", *rows, "", *notes, "", "![residuals](fit.png)", ""])
 
     def record(self) -> dict[str, Any]:
         """Return everything but the data as plain numbers, in SI, null for missing ones."""

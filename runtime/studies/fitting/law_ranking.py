@@ -16,11 +16,11 @@ from typing import Any
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
-from hertzwerk.derive.common.markup import heading, joined, table
 from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.run_request import progress_of
 from hertzwerk.runtime.loading import engine_model
+from hertzwerk.runtime.output.tables.notebook import Sentences
 from hertzwerk.runtime.studies.fitting.fit_result import Fit
 from hertzwerk.runtime.studies.fitting.fitting import (
     FitRequest,
@@ -127,7 +127,7 @@ class RankedLaw:
 
 
 @dataclass(frozen=True)
-class Ranking:
+class Ranking(Sentences):
     """Laws fitted to the same data, the best first.
 
     alike    names of those between which and the best the data do not discriminate
@@ -152,20 +152,6 @@ class Ranking:
             return f"{text}; but the best is itself rejected at 5 % by the stated noise: none of these laws explains the data"
         return text
 
-    def _repr_html_(self) -> str:
-        verdict = "not distinguished" if self.alike else "distinguished"
-        head = heading(self.best.fitted.scene, verdict, f": {self.verdict}", good=not self.alike)
-        rows = (
-            (
-                law.name,
-                f"{law.difference:.4g}",
-                f"{law.weight:.3g}",
-                ", ".join(f"{n} = {v}" for n, v in law.fitted.values.items()),
-            )
-            for law in self.laws
-        )
-        return joined([head, table(("law", "AICc less the best", "weight", "fitted"), rows)])
-
     def lines(self) -> Iterator[tuple[str, str]]:
         """Yield what was found, as labels and sentences."""
         for law in self.laws:
@@ -183,22 +169,6 @@ class Ranking:
         )
         fits = {None: "", True: ", explains the data", False: ", rejected"}[law.fitted.explained]
         return f"AICc {law.difference:+.4g}, weight {law.weight:.3g}{held}{fits}; {values}"
-
-    def __str__(self) -> str:
-        return "\n".join(f"{label}: {text}" for label, text in self.lines())
-
-    def markdown(self) -> str:
-        """Return the ranking as a page of Markdown."""
-        rows = [
-            "| law | AICc less the best | weight | held-out log-density less the best | p-value | fitted |",
-            "|---|---|---|---|---|---|",
-        ]
-        for law in self.laws:
-            held = "" if law.held_out_total is None else f"{law.held_out_total - (self.best.held_out_total or 0.0):.4g}"
-            p = "" if law.fitted.goodness is None else f"{law.fitted.goodness.p_value:.3g}"
-            values = ", ".join(f"{value.name} {value}" for value in law.fitted.values.values())
-            rows.append(f"| {law.name} | {law.difference:.4g} | {law.weight:.3g} | {held} | {p} | {values} |")
-        return "\n".join(["# Which law?", "", *rows, "", f"**{self.verdict}**", ""])
 
     def record(self) -> dict[str, Any]:
         """Return everything but the data as plain numbers."""

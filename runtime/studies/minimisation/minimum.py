@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hertzwerk.derive.common.markup import heading, joined, table, tag
+from hertzwerk.runtime.output.tables.notebook import Printed
 from hertzwerk.runtime.system.digests import finite
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ class Ended:
 
 
 @dataclass(frozen=True)
-class Minimum:
+class Minimum(Printed):
     """Values that minimise an objective: `found["counterweight"]` is one, in SI.
 
     values    the same with units, as `simulate` takes them; objective, unit    the least value; begun    that at the start
@@ -111,18 +111,6 @@ class Minimum:
         if not self.outcome.finished:
             lines.append(f"{self.outcome.message}; {self.outcome.remedy}")
         return "\n".join([*lines, *(f"note: {text}" for text in self.notes)])
-
-    def _repr_html_(self) -> str:
-        unit = f" {self.unit}" if self.unit else ""
-        remark = f": {self.objective_text} = {self.objective:.6g}{unit}, from {self.begun:.6g}{unit}, {len(self.trials)} runs"
-        rows = [
-            (name, f"{value:.6g} {text}", "at the end of its range" if name in self.at_end else "")
-            for name, (value, text) in self.values.items()
-        ]
-        rows += [(held.text, f"{held.value:.6g} {held.unit}", held.state) for held in self.constraints]
-        notes = (tag("p", text) for text in (self.outcome.remedy, *self.notes) if text)
-        head = heading(self.scene, self.outcome.name, remark, good=self.outcome.finished)
-        return joined([head, table(("quantity or constraint", "value", ""), rows), *notes])
 
     def plot(self) -> Figure:
         """Draw the objective and the values of all runs, one after the other."""

@@ -8,8 +8,8 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.markup import heading, joined, table, tag
 from hertzwerk.runtime.engine.solution.solution import write
+from hertzwerk.runtime.output.tables.notebook import Printed
 from hertzwerk.runtime.system.digests import finite
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ class Uncertain:
 
 
 @dataclass(frozen=True)
-class Propagated:
+class Propagated(Printed):
     """Uncertain outputs of a model: `found["slider_pin.peak_force"]` is one, iteration yields all.
 
     names    what is uncertain; run    at its means; samples    the rows, a sweep, of which the first `draws` are
@@ -134,24 +134,6 @@ class Propagated:
                 for name in one.first
             ]
         return "\n".join([*lines, *(f"warning: {text}" for text in self.warnings)])
-
-    def _repr_html_(self) -> str:
-        missing = bool(self.notes)
-        remark = f": {len(self.samples):,} runs over {', '.join(self.names)}"
-        head = heading(self.scene, "runs or indices missing" if missing else "propagated", remark, good=not missing)
-        rows = (
-            (
-                f"{one.name} [{one.unit}]" if one.unit else one.name,
-                f"{one.nominal:.6g}",
-                f"{one.linear:.3g}" if math.isfinite(one.linear) else one.reason,
-                f"{one.std:.3g} ± {one.std_error:.2g}",
-                f"{one.low:.6g} to {one.high:.6g}",
-                ", ".join(f"{name} {index.value:.2f}" for name, index in one.total.items()),
-            )
-            for one in self
-        )
-        header = ("output", "at the means", "std by derivatives", "std of samples", "95 % within", "total indices")
-        return joined([head, table(header, rows), *(tag("p", text) for text in self.warnings)])
 
     def record(self) -> dict[str, Any]:
         """Return everything but the runs as plain data, nan as None."""
