@@ -86,15 +86,16 @@ def own_folder(tmp_path):
 
 @pytest.fixture(scope="session")
 def restitutions(tmp_path_factory, worker_id):
-    """The restitution study of all damping laws, computed by the first process that asks."""
-    from hertzwerk.runtime.analysis.validation.restitution import study
+    """Restitution of all damping laws, as the study computes it, by the first process that asks."""
+    from hertzwerk.runtime.engine.model.build import impact_trials
+    from hertzwerk.runtime.studies.paper.study_restitution import returned
 
     folder = tmp_path_factory.getbasetemp()
     file = (folder if worker_id == "master" else folder.parent) / "restitutions"
     with file.open("a+b") as stream:
         fcntl.flock(stream, fcntl.LOCK_EX)
         if not file.stat().st_size:
-            stream.write(pickle.dumps(study()))
+            stream.write(pickle.dumps([returned(trial) for trial in impact_trials()]))
             stream.flush()
         stream.seek(0)
         return pickle.load(stream)

@@ -29,7 +29,7 @@ TEXTS = {name: (ROOT / name).read_text(encoding="utf-8") for name in (*DOCUMENTS
 # Commands and options that take many seconds, each with tests of its own or a step of .ci/run
 LONG = {
     *("accuracy", "animate", "effects", "export", "hardcases", "minimise", "propagate", "report", "study", "validate"),
-    *("--check", "--restitution", "--section", "--table"),
+    *("--check", "--section", "--table"),
 }
 
 

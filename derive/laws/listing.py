@@ -45,7 +45,7 @@ def _markdown() -> Iterator[str]:
         `laws.hertz_point(steel, steel)`. The pair supplies all other quantities: penetration, speeds, radii, lengths, masses.
 
         `hertzwerk laws NAME` prints the sheet of a law: formula, units, ranges and cost. `help(laws.NAME)` lists its parameters.
-        `hertzwerk laws --restitution` tests every damping law in one free impact, by simulation and, where there is one, in closed form. Both agree
+        `hertzwerk study restitution` tests every damping law in one free impact, by simulation and, where there is one, in closed form. Both agree
         to 2e-12. `exact`, `tsuji` (with K d^1.5) and `kelvin_voigt` (with K d) return the stated restitution. `lankarani_nikravesh` is off
         by up to 0.05 in its recommended range and never returns less than 0.663.
 

@@ -1,34 +1,20 @@
-"""`hertzwerk laws`: the catalogue, the sheet of a law, and the restitution study."""
+"""`hertzwerk laws`: the catalogue, and the sheet of a law."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
 from hertzwerk.derive.common.faults import Fault, InputError, refuse
-from hertzwerk.runtime.cli.target_options import JSON, unwritable_faults
-from hertzwerk.runtime.cli.terminal import (
-    GOOD,
-    OTHER_OUTCOME,
-    Progress,
-    conclude,
-    line,
-    print_prose,
-    reports_bad_input,
-    table,
-)
-from hertzwerk.runtime.system.digests import json_text
+from hertzwerk.runtime.cli.target_options import JSON
+from hertzwerk.runtime.cli.terminal import GOOD, line, print_prose, reports_bad_input, table
 
 if TYPE_CHECKING:
     from hertzwerk.derive.exchange.law_sheets.law_sheet import Formula, Restitution, Sheet
-    from hertzwerk.runtime.analysis.validation.restitution import Curve, Study
-
-SHOWN = (0.1, 0.3, 0.5, 0.7, 0.9)  # restitutions in the table; the files contain all
-SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
 
 
 @click.command(epilog="Example: hertzwerk laws flores")
@@ -40,17 +26,6 @@ SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
 )
 @click.option("--markdown", is_flag=True, help="Print the catalogue as Markdown, derive/laws/README.md.")
 @click.option("--stub", is_flag=True, help="Print the catalogue for type checkers, derive/laws/__init__.pyi.")
-@click.option(
-    "--restitution",
-    is_flag=True,
-    help="Compare the restitution that each damping law yields with the one it is given.",
-)
-@click.option(
-    "--out",
-    type=click.Path(path_type=Path),
-    help="New folder for picture and data of --restitution (default: the next runs/restitution-NNN).",
-)
-@click.option("--no-plots", is_flag=True, help="With --restitution, write the data without pictures.")
 @click.option(
     "--picture",
     type=click.Path(path_type=Path),
@@ -64,31 +39,23 @@ def laws(
     form: str | None,
     markdown: bool,
     stub: bool,
-    restitution: bool,
-    out: Path | None,
-    no_plots: bool,
     picture: Path | None,
     as_json: bool,
 ) -> int:
     """List the contact laws, or print the sheet of each NAME.
 
-    A sheet has formula, units, ranges, source, behaviour and cost. Exit code 1: with --restitution, a simulation and
-    its closed form differ by more than 1e-9.
+    A sheet has formula, units, ranges, source, behaviour and cost.
     """
     from hertzwerk.runtime.engine.model import build
 
-    if form and (names or markdown or stub or restitution or picture is not None):
+    if form and (names or markdown or stub or picture is not None):
         raise InputError("laws", [Fault("--form", f"{form} with other arguments", "it alone, or --json beside it")])
     if markdown or stub:
-        if names or picture is not None or sum((markdown, stub, restitution, as_json)) > 1:
+        if names or picture is not None or sum((markdown, stub, as_json)) > 1:
             actual = f"--{'markdown' if markdown else 'stub'} with other arguments"
             raise InputError("laws", [Fault("laws", actual, "it alone: it prints the whole catalogue")])
         click.echo(build.law_listing(stub=stub), nl=False)
         return GOOD
-    if restitution:
-        return _study(names, out, plots=not no_plots, as_json=as_json)
-    if out is not None or no_plots:
-        raise InputError("laws", [Fault("laws", "--out or --no-plots alone", "--restitution beside it")])
     if names or picture is not None:
         sheets = build.law_sheets(names)
         if picture is not None:
@@ -191,7 +158,7 @@ def _print_sheet(sheet: Sheet) -> None:
         click.echo()
         _print_restitution(sheet.restitution)
     elif sheet.law.kind == "damping":
-        line("restitution", "takes no e; `hertzwerk laws --restitution` shows what it returns")
+        line("restitution", "takes no e; `hertzwerk study restitution` shows what it returns")
 
 
 def _print_band(sheet: Sheet) -> None:
@@ -234,77 +201,3 @@ def _print_restitution(restitution: Restitution) -> None:
             limit,
             f"{restitution.coefficient} -> {'infinity' if coefficient == 'oo' else coefficient}{elastic}{returned}",
         )
-
-
-# -- all damping laws --------------------------------------------------------------------------------------------------
-
-
-def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool) -> int:
-    wanted = out is not None or not as_json
-
-    faults = (
-        [Fault("laws", f"--restitution and {names[0]}", "one of them: the study is of every damping law")]
-        if names
-        else []
-    )
-    faults += unwritable_faults(out, wanted=wanted)
-    refuse("laws", faults)
-    with Progress("restitution", shown=not as_json) as progress:
-        from hertzwerk.runtime.analysis.validation.restitution import study
-
-        result = study(progress)
-    code = conclude(
-        lambda missing: _write(result, out, missing, plots=plots),
-        result.record,
-        lambda: _report(result),
-        wanted=wanted,
-        as_json=as_json,
-    )
-    return code if result.agrees else OTHER_OUTCOME
-
-
-def _write(result: Study, out: Path | None, missing: list[str], *, plots: bool) -> tuple[Path, list[str]]:
-    from hertzwerk.runtime.cli.run_folder import write_study
-
-    def draw() -> Any:
-        from hertzwerk.runtime.analysis.validation import plot_restitution
-
-        return plot_restitution.figure(result)
-
-    texts = {"restitution.csv": result.csv(), "restitution.json": json_text(result.record()) + "\n"}
-    return write_study("restitution", out, texts, draw if plots else None, missing)
-
-
-def _report(result: Study) -> None:
-    print_prose("Restitution out over restitution in, of one free impact; the best over all e first.\n")
-    table(
-        ("law", "grade", "recommended", *(f"e = {e:g}" for e in SHOWN), "worst there", "e -> 1", "e -> 0"),
-        [_row(curve) for curve in result.curves],
-    )
-    print_prose(
-        "\nworst there: the largest e_out - e of the recommended range, and where.  e -> 1: 1 is the elastic law.\n"
-        "e -> 0: above 0 the law never returns less, however small the e it is given.\n"
-    )
-    if result.others:
-        table(
-            ("law without e", "a number of its own", *(f"at {x:g}" for x in SHOWN_OWN)),
-            [(c.law, c.parameter, *(f"{_at(c, x):.4f}" for x in SHOWN_OWN)) for c in result.others],
-        )
-        click.echo()
-    known = sum(curve.closed is not None for curve in result.curves)
-    line(
-        "consistent" if result.agrees else "different",
-        f"simulated and closed form of {known} laws differ by at most {result.difference:.1e}",
-    )
-
-
-def _row(curve: Curve) -> tuple[str, ...]:
-    e, deviation = curve.worst(inside=True)
-    worst = f"{deviation:+.4f} at {e:g}" if abs(deviation) > 5e-5 else "none"
-    limits = ("" if limit is None else f"{limit:.4f}" for limit in (curve.out_at_one, curve.out_at_zero))
-    return (curve.law, curve.grade, curve.recommended_text, *(f"{_at(curve, e):.4f}" for e in SHOWN), worst, *limits)
-
-
-def _at(curve: Curve, value: float) -> Any:
-    """Return the restitution out at a value of the grid."""
-    return curve.simulated[abs(curve.prescribed - value).argmin()]

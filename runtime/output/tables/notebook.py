@@ -1,4 +1,4 @@
-"""Results as notebooks show them: models with a picture, runs with their first impacts, others as they are printed."""
+"""Results as notebooks show them: a model with a picture, a run with impacts, others as printed."""
 
 from __future__ import annotations
 

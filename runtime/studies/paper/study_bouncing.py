@@ -136,7 +136,7 @@ def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
             f"stiffness, n = 3/2; cylinders {LENGTH * 1e3:g} mm long with K = (pi/4) E* L, n = 1, which stands for the external model of "
             "Wang and Liu (2020).",
             "The laws are the twelve factors h(e) of F (1 + h v/v0), and three of another form that take a restitution too (a quick run has six); "
-            "laws with a parameter of their own are in `hertzwerk laws --restitution`.",
+            "laws with a parameter of their own are in `hertzwerk study restitution`.",
             "The closed form of the restitution knows no weight: its share in the momentum is the limit of the comparison. Energy lost is "
             "that of the ledger over the kinetic energy at the onset.",
         ),

@@ -201,7 +201,7 @@ class Study:
     histories: Mapping[str, str] = field(default_factory=dict)
 
 
-NAMES = ("exponents", "stiffness", "bouncing", "slider_crank")
+NAMES = ("exponents", "stiffness", "restitution", "bouncing", "slider_crank")
 """Built-in studies: NAME is `STUDY` of `study_NAME.py`."""
 
 

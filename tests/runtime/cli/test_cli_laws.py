@@ -1,21 +1,8 @@
-"""`hertzwerk laws`: the list, the sheet of a law, the restitution study with its picture; exit codes and JSON."""
+"""`hertzwerk laws`: the list, the sheet of a law; exit codes and JSON."""
 
 import json
 
 import pytest
-
-from hertzwerk.runtime.analysis.validation import restitution
-from hertzwerk.runtime.analysis.validation.plot_restitution import figure
-
-
-@pytest.fixture
-def study(restitutions):
-    return restitutions
-
-
-@pytest.fixture
-def studied(study, monkeypatch):
-    monkeypatch.setattr(restitution, "study", lambda progress=None: study)
 
 
 def test_the_list(hertzwerk):
@@ -54,53 +41,13 @@ def test_sheets_as_text_and_json(hertzwerk):
     ("arguments", "said"),
     [
         (("jonson",), "did you mean johnson"),
-        (("--restitution", "flores"), "every damping law"),
-        (("flores", "--out", "x"), "--restitution beside it"),
+        (("--stub", "flores"), "it alone"),
     ],
 )
 def test_bad_input(hertzwerk, tmp_path, arguments, said):
     done = hertzwerk("laws", *arguments, code=2)
     assert said in done.output
     assert list(tmp_path.iterdir()) == []
-
-
-def test_the_study_as_json(hertzwerk, studied, tmp_path):
-    done = hertzwerk("laws", "--restitution", "--json")
-    assert json.loads(done.output)["largest_difference"] < 1e-9
-    assert list(tmp_path.iterdir()) == []
-    hertzwerk("laws", "--restitution", "--json", "--no-plots", "--out", "mine")
-    assert {file.name for file in (tmp_path / "mine").iterdir()} == {"restitution.csv", "restitution.json"}
-    hertzwerk("laws", "--restitution", "--out", "mine", code=2)  # never overwrites
-
-
-def test_a_disagreement_is_exit_code_1(hertzwerk, study, monkeypatch):
-    from dataclasses import replace
-
-    off = replace(study.curves[0], simulated=study.curves[0].simulated + 2e-9)
-    wrong = restitution.Study((off, *study.curves[1:]), study.others)
-    monkeypatch.setattr(restitution, "study", lambda progress=None: wrong)
-    done = hertzwerk("laws", "--restitution", "--no-plots", code=1)
-    assert "different" in done.output
-
-
-def test_the_picture_shows_every_law_and_range(study, tmp_path):
-    """A panel per law with its name, what it does, and its recommended range shaded; no label stands outside the page."""
-    page = figure(study)
-    page.savefig(tmp_path / "page.png")
-    panels = {axis.get_title(loc="left").split()[0]: axis for axis in page.axes}
-    for curve in study.curves:
-        axis = panels[curve.law]
-        (shade,) = axis.patches
-        x = shade.get_corners()[:, 0]
-        assert (min(x), max(x)) == pytest.approx(curve.recommended)
-        dots = axis.lines[-1].get_ydata()
-        assert dots == pytest.approx(curve.deviation[curve.inside])
-    frame = page.bbox
-    for axis in page.axes:
-        for text in axis.texts:
-            box = text.get_window_extent()
-            assert frame.x0 <= box.x0
-            assert box.x1 <= frame.x1
 
 
 def test_the_picture_of_a_band(hertzwerk, tmp_path):

@@ -1,17 +1,16 @@
 """The restitution study: the engine against the exact relation (reference/closed_forms.py), scaling, and published expansions."""
 
-import csv
-import io
-import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from hertzwerk.runtime.analysis.validation.restitution import GRID, Impact, Study, own_unit, simulated
 from hertzwerk.runtime.engine.model.build import build, impact_trials
 from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.studies.paper.plot_page import figure
+from hertzwerk.runtime.studies.paper.study_restitution import GRID, Impact, own_unit, page_of, returned, simulated
 from reference.closed_forms import FACTORS, exact_factor, factor, restitution
 
 TRIALS = {trial.law.name: trial for trial in impact_trials()}
@@ -40,26 +39,22 @@ def expected(name, e):
 
 
 def test_the_study_covers_every_damping_law_and_agrees_as_its_worst_does(study):
-    assert {c.law for c in (*study.curves, *study.others)} == set(TRIALS)
-    assert {c.law for c in study.others} == {"ristow", "kuwabara_kono", "power_damping"}
-    assert GRID[0] == 0.05
-    assert GRID[-1] == 0.99
-    assert all(np.isfinite(c.simulated).all() for c in (*study.curves, *study.others))
-    assert study.agrees
-    assert study.difference < 1e-10
-    assert study.difference == max(np.max(np.abs(c.simulated - c.closed)) for c in study.curves)
-    from dataclasses import replace
-
-    lost = replace(study.curves[0], simulated=np.full_like(study.curves[0].simulated, math.nan))
-    assert not Study((lost, *study.curves[1:]), study.others).agrees
-    off = replace(study.curves[0], simulated=study.curves[0].simulated + 2e-9)
-    assert not Study((off, *study.curves[1:]), study.others).agrees
+    assert {law.law for law in study} == set(TRIALS)
+    assert {law.law for law in study if law.recommended is None} == {"ristow", "kuwabara_kono", "power_damping"}
+    assert (GRID[0], GRID[-1]) == (0.05, 0.99)
+    assert all(np.isfinite(law.simulated).all() for law in study)
+    assert max(np.max(np.abs(law.simulated - law.closed)) for law in study if law.closed is not None) < 1e-10
+    assert [v.holds for v in page_of(study).verdicts] == [True, True, None]
+    k = next(k for k, law in enumerate(study) if law.closed is not None)
+    for fault, holds in ((math.nan, [False, False, None]), (2e-9, [False, True, None])):
+        changed = replace(study[k], simulated=study[k].simulated + fault)
+        assert [v.holds for v in page_of([*study[:k], changed, *study[k + 1 :]]).verdicts] == holds
 
 
 @pytest.mark.by_turns(2)
 @pytest.mark.parametrize("name", [name for name in TRIALS if name not in ("ristow", "kuwabara_kono", "power_damping")])
 def test_the_engine_returns_the_closed_form(study, name):
-    actual = next(c for c in study.curves if c.law == name)
+    actual = next(c for c in study if c.law == name)
     known = [expected(name, e) for e in actual.prescribed]
     assert np.max(np.abs(actual.simulated - known)) < 1e-9
     assert np.max(np.abs(actual.closed - known)) < 1e-12
@@ -67,13 +62,13 @@ def test_the_engine_returns_the_closed_form(study, name):
 
 def test_power_damping_of_m_equal_n_is_hysteresis_and_kuwabara_and_kono_s_expansion_holds(study):
     """chi = h K/v0 returns what the exact relation has for h."""
-    result = next(c for c in study.others if c.law == "power_damping")
+    result = next(c for c in study if c.law == "power_damping")
     assert result.parameter == "chi*v0/K"
     known = [restitution(float(h)) for h in result.prescribed]
     assert np.max(np.abs(result.simulated - known)) < 1e-9
     # e = 1 - C1 x + (3/5) C1^2 x^2 + O(x^(5/2)), x = (3/2) A (K/m)^(2/5) v0^(1/5): Ramirez, Poeschel, Brilliantov, Schwager, PRE 60 (1999) 4465.
     # Released where the force vanishes, before the gap opens, a little more comes out, of order x^(5/2): Schwager, Poeschel, PRE 78 (2008) 051304.
-    found = next(c for c in study.others if c.law == "kuwabara_kono")
+    found = next(c for c in study if c.law == "kuwabara_kono")
     x = 1.5 * found.prescribed
     C1 = math.sqrt(math.pi) * math.gamma(0.6) / (2**0.2 * 5**0.4 * math.gamma(2.1))
     assert pytest.approx(1.15345, abs=5e-6) == C1  # contact-laws.md
@@ -92,7 +87,7 @@ def test_power_damping_of_m_equal_n_is_hysteresis_and_kuwabara_and_kono_s_expans
 )
 def test_laws_without_e_against_another_integrator(study, name, drag):
     """d'' = -(d^1.5 + drag), with m = K = v0 = 1, from d = 0 until the force vanishes, by SciPy."""
-    found = next(c for c in study.others if c.law == name)
+    found = next(c for c in study if c.law == name)
     for x, out in list(zip(found.prescribed, found.simulated, strict=True))[::5]:
 
         def force(d, v, x=x):
@@ -126,21 +121,25 @@ def test_mass_speed_and_stiffness_do_not_matter(name, value):
     assert max(result) - min(result) < 1e-10
 
 
-def test_records_and_the_worst_of_the_recommended_range(study):
-    result = {c.law: c for c in study.curves}
-    ln = result["lankarani_nikravesh"]
+def test_tables_panels_and_the_worst_of_the_recommended_range(study):
+    ln = next(law for law in study if law.law == "lankarani_nikravesh")
     e, deviation = ln.worst(inside=True)
     assert (e, deviation) == (0.8, pytest.approx(restitution("0.27") - 0.8, abs=1e-9))  # h = 3 (1 - .64)/4
     assert ln.worst(inside=False)[0] == 0.05
-    assert result["exact"].worst(inside=True)[1] == pytest.approx(0, abs=1e-10)
-    everywhere = [round(abs(c.worst(inside=False)[1]), 9) for c in study.curves]
-    assert everywhere == sorted(everywhere)
-    content = json.loads(json.dumps(study.record()))
-    assert len(content["laws"]) == 15
-    first = content["laws"][-1]
-    assert {"law", "prescribed", "simulated", "closed", "recommended", "out_at_one", "out_at_zero"} <= set(first)
-    rows = list(csv.DictReader(io.StringIO(study.csv())))
-    assert len(rows) == sum(len(c.prescribed) for c in (*study.curves, *study.others))
-    flores = [row for row in rows if row["law"] == "flores"]
-    assert float(flores[0]["simulated"]) == study.curves[[c.law for c in study.curves].index("flores")].simulated[0]
-    assert all(row["closed"] == "" for row in rows if row["law"] == "ristow")
+    page = page_of(study)
+    taking, impacts = page.tables
+    order = [next(law for law in study if law.law == name) for name in taking.column("law")]
+    everywhere = [round(abs(law.worst(inside=False)[1]), 9) for law in order]
+    assert everywhere == sorted(everywhere) and len(order) == 15
+    assert len(impacts.rows) == sum(len(law.prescribed) for law in study)
+    assert all(closed is None for name, *_, closed in impacts.rows if name == "ristow")
+    panels, *together = page.charts
+    assert [panel.title for panel in panels.panels] == [f"{law.law} ({law.grade})" for law in order]
+    assert list(panels.panels[0].curves[-1].y) == list(order[0].deviation)
+    (deviated,) = (panel for panel in panels.panels if panel.title.startswith("lankarani"))
+    assert [x for x, _ in deviated.marks] == [end for end in ln.recommended if 0 < end < 1]
+    assert [len(figure(chart).axes[0].lines) for chart in together] == [16, 3]
+
+
+def test_a_quick_study_takes_fewer_values():
+    assert returned(TRIALS["flores"], every=7).prescribed.tolist() == GRID[::7].tolist()
