@@ -23,6 +23,7 @@ class Derived:
         self.scene = scene
         self.text = text or generate(scene)
         self.names: dict[str, Any] = {}
+        self._jacobians: dict[tuple[Any, ...], Any] = {}
         exec(compile(self.text, "<generated>", "exec"), self.names)
         defaults = {name: parse_unit(unit).to_si(default) for name, unit, default, _ in self.PARAMETERS}
         self.p = np.array([{**defaults, **(values or {})}[name] for name in defaults])
@@ -68,10 +69,13 @@ class Derived:
 
     def jacobian(self, function: str, which: str, result: int = 0, **given: Any) -> np.ndarray:
         """Derivative of a result by one argument (`t`, `q`, `u`, ...), at numbers."""
-        at = np.atleast_1d(np.asarray(given[which], float))
-        x = ca.SX.sym(which, at.size)
-        value = self.results(function, {**given, which: x})[result]
-        return ca.Function("J", [x], [ca.jacobian(ca.SX(value), x)])(at).full()
+        at = {name: np.atleast_1d(np.asarray(value, float)) for name, value in given.items()}
+        known = function, which, result, *((name, value.size) for name, value in at.items())
+        if known not in self._jacobians:
+            symbols = {name: ca.SX.sym(name, value.size) for name, value in at.items()}
+            value = ca.SX(self.results(function, symbols)[result])
+            self._jacobians[known] = ca.Function("J", [*symbols.values()], [ca.jacobian(value, symbols[which])])
+        return self._jacobians[known](*at.values()).full()
 
     def with_gap(self, t: float, q: Sequence[float], pair: int, target: float) -> np.ndarray:
         """Coordinates near q at which the gap of `pair` is `target`: Newton's steps of least length, from elsewhere if that fails."""

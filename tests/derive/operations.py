@@ -22,14 +22,15 @@ ACCEPT = "python tests/derive/operations.py"
 CHAINS = {
     f"{kind} chain of {n} links": (n, axes) for kind, axes in (("plane", "Z"), ("spatial", "ZYX")) for n in range(2, 9)
 }
-IN_BOTH = ("plane chain of 8 links", "spatial chain of 4 links")
+COUNTED = [name for name, (n, _) in CHAINS.items() if n < 6]
+IN_BOTH = ("plane chain of 5 links", "spatial chain of 4 links")
 
 
 def counts() -> dict[str, dict[str, int]]:
     """By scene or chain, the operations of each of its functions; scenes as committed, which test_cli.py holds to what they derive to."""
     scenes = {name: dict(import_module(f"hertzwerk.generated.{name}").OPERATIONS) for name in NAMES}
     absolute = {f"{name} in absolute coordinates": of_chain(*CHAINS[name], "absolute") for name in IN_BOTH}
-    return scenes | {name: of_chain(*which) for name, which in CHAINS.items()} | absolute
+    return scenes | {name: of_chain(*CHAINS[name]) for name in COUNTED} | absolute
 
 
 def of_chain(n: int, axes: str, coordinates: str = "tree") -> dict[str, int]:

@@ -12,7 +12,7 @@ from hertzwerk.runtime.loading import engine_model
 
 SLOW = {case.name for case in CASES if case.long}
 # in CI by dop853: to build the default's two methods takes many seconds
-ONE_ENGINE = {"boxes_corner_over_corner", "falling_chain_of_3", "rocking_block"}
+ONE_ENGINE = {"boxes_corner_over_corner", "falling_chain_of_3", "locking_disc_at_speed", "rocking_block"}
 LASTING = {("thin_friction_layer", "rodas")}  # seconds
 REFERENCES = ("cvodes", "idas")  # slow, and outside the graph: there is no C of them
 PAIRS = [(case, method) for case in CASES for method in case.methods]

@@ -3,6 +3,7 @@
 A wrong call is refused before anything runs, by an error that says what was found; a right one returns something.
 """
 
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -17,15 +18,24 @@ from hertzwerk.runtime import simulation
 from hertzwerk.runtime.engine.run import continuation
 
 T = np.linspace(0, 0.058, 30)
-GIVEN = {name: getattr(runtime, name) for name in runtime.__all__}
-GIVEN |= {"ball": runtime.load("bouncing_ball"), "derive": derive, "scene": scene, "np": np, "Path": Path, "T": T}
-GIVEN |= {"HOW": {"duration": "10 ms", "tolerance": 1e-6}, "FREE": {"drop_height": "0.9..1.1 m"}}
-GIVEN |= {"LAWS": {"floor": ["flores", "hunt_crossley"]}, "mm": pint.UnitRegistry().mm}
-GIVEN["run"] = runtime.simulate("bouncing_ball", **GIVEN["HOW"], sensitivities=["mass"])
-GIVEN["limit"] = runtime.rigid_limit("bouncing_ball", runtime.RigidImpact(0.5), **GIVEN["HOW"])
-GIVEN["table"] = runtime.simulate_many("bouncing_ball", [{}], **GIVEN["HOW"], workers=1)
-GIVEN["still"] = runtime.modes("bouncing_ball")
-GIVEN["wave"] = runtime.Measurement(T, {"vertical.travel": 1.1 - 4.905 * T**2}, {"vertical.travel": "m"})
+HOW = {"duration": "10 ms", "tolerance": 1e-6}
+
+
+@cache
+def given():
+    """Names in the calls and what they are."""
+    return {
+        **{name: getattr(runtime, name) for name in runtime.__all__},
+        **{"ball": runtime.load("bouncing_ball"), "derive": derive, "scene": scene, "np": np, "Path": Path, "T": T},
+        **{"HOW": HOW, "FREE": {"drop_height": "0.9..1.1 m"}, "LAWS": {"floor": ["flores", "hunt_crossley"]}},
+        "mm": pint.UnitRegistry().mm,
+        "run": runtime.simulate("bouncing_ball", **HOW, sensitivities=["mass"]),
+        "limit": runtime.rigid_limit("bouncing_ball", runtime.RigidImpact(0.5), **HOW),
+        "table": runtime.simulate_many("bouncing_ball", [{}], **HOW, workers=1),
+        "still": runtime.modes("bouncing_ball"),
+        "wave": runtime.Measurement(T, {"vertical.travel": 1.1 - 4.905 * T**2}, {"vertical.travel": "m"}),
+    }
+
 
 WRONG = """
 load("bouncing_bal")  ->  did you mean bouncing_ball
@@ -423,19 +433,20 @@ ball.equations()
 
 @each("row", WRONG.strip().splitlines())
 def test_a_wrong_call_is_refused_before_anything_runs(row, monkeypatch, tmp_path):
+    names = given()  # runs, which from here on are refused
     monkeypatch.chdir(tmp_path)
     for place in (simulation, continuation):
         monkeypatch.setattr(place, "set_up", lambda *given, **how: pytest.fail("a run was begun"))
     call, _, actual = row.partition("  ->  ")
     with pytest.raises((InputError, LookupError)) as caught:
-        eval(call, {**GIVEN})
+        eval(call, {**names})
     assert actual in str(caught.value)
     assert not list(tmp_path.iterdir())
 
 
 @each("call", RIGHT.strip().splitlines())
 def test_a_right_call_is_answered(call):
-    result = eval(call, {**GIVEN})
+    result = eval(call, {**given()})
     assert result is not None and " at 0x" not in repr(result)
 
 

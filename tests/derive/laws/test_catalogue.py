@@ -60,7 +60,10 @@ def test_names_do_not_collide_within_a_law():
 
 
 @pytest.mark.by_turns(6)
-@pytest.mark.parametrize("name", CONSISTENT)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=[pytest.mark.exhaustive] * (name == "jackson_green")) for name in CONSISTENT],  # seconds
+)
 def test_a_consistent_law_is_refused_with_another_unit(name):
     """The audit can fail: with the unit of one symbol multiplied by a length, no law passes."""
     law = LAWS[name]

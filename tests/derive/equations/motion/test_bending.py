@@ -68,6 +68,7 @@ def state(derived, bent):
     return derived.of_norm_one(q), u
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 @pytest.mark.parametrize("name", JOINTS)
 def test_kinetic_energy_is_that_of_the_sections_to_second_order(name, coordinates):

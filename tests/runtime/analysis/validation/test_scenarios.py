@@ -38,10 +38,10 @@ def test_every_built_in_scene_has_a_scenario():
     assert all(load_scenario(name).checks for name in scenarios.names())
 
 
-# three fifths of the time of all. tests/scenarios has whole runs of all but two: outlines of the drive have closed forms and its lock at
-# speed is a hard case; what the crank wears off is in derive/declare/effects/tribology/test_wear.py
+# half the time of all. tests/scenarios has whole runs of all but two: outlines of the drive have closed forms and its lock at speed is a
+# hard case; what the crank wears off is in derive/declare/effects/tribology/test_wear.py
 LONG = (
-    *("geneva_drive", "ball_bearing", "gears_with_backlash", "housner_block", "spheres_in_box", "woodpecker"),
+    *("geneva_drive", "ball_bearing", "gears_with_backlash", "housner_block", "woodpecker"),
     *("slider_crank_dc_motor", "worn_slider_crank"),
 )
 
@@ -119,7 +119,7 @@ FAULTS = {
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
-    [pytest.param(n, marks=[pytest.mark.exhaustive] * (n in LONG)) for n in scenarios.names()],
+    [pytest.param(n, marks=[pytest.mark.exhaustive] * (n in (*LONG, "spheres_in_box"))) for n in scenarios.names()],
 )
 def test_a_parameter_that_is_off_by_a_hundredth_fails_a_check(name):
     given, quantity, duration = FAULTS[name]

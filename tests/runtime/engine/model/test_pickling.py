@@ -65,7 +65,7 @@ def travel(model):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("start", ["spawn", "forkserver"])
+@pytest.mark.parametrize("start", [pytest.param("spawn", marks=pytest.mark.exhaustive), "forkserver"])
 def test_a_process_that_shares_nothing_runs_it(crank, start):
     with multiprocessing.get_context(start).Pool(1) as pool:
         assert pool.map(travel, [crank]) == [travel(crank)]

@@ -23,10 +23,10 @@ from hertzwerk.runtime.engine.solution.history import History
 
 built = cache(load)  # with its functions, for all tests here
 CASES = {
-    "bouncing_ball": {"duration": "2 s", "tolerance": 1e-8}, "slider_crank": {"duration": "24 ms", "tolerance": 1e-6},
+    "bouncing_ball": {"duration": "2 s", "tolerance": 1e-8}, "slider_crank": {"duration": "12 ms", "tolerance": 1e-6},
     "squeezed": {"duration": "0.1 s", "tolerance": 1e-9},
     "resting": {"duration": "5 s", "tolerance": 1e-6, "method": "auto", "parameters": {"restitution": 0.3}},
-    "rodas": {"duration": "1 s", "method": "rodas"}, "cvodes": {"duration": "0.452 s", "method": "cvodes", "tolerance": 1e-4},
+    "rodas": {"duration": "0.5 s", "method": "rodas"}, "cvodes": {"duration": "0.452 s", "method": "cvodes", "tolerance": 1e-4},
 }  # fmt: skip
 
 

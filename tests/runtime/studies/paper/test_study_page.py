@@ -263,7 +263,8 @@ def test_a_study_that_is_stopped_writes_the_cases_that_are_done(hertzwerk, tmp_p
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("name", "rows"), [("exponents", 1), pytest.param("stiffness", 1, marks=pytest.mark.exhaustive), ("bouncing", 2)]
+    ("name", "rows"),
+    [*(pytest.param(name, 1, marks=pytest.mark.exhaustive) for name in ("exponents", "stiffness")), ("bouncing", 2)],
 )
 def test_a_built_in_study_that_is_stopped_draws_what_it_has(name, rows):
     """Its whole page is made from the first cases: tables, figures, verdicts."""

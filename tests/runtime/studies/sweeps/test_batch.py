@@ -150,9 +150,8 @@ if __name__ == "__main__":
 """
 
 
-@pytest.mark.by_turns(2)
 @pytest.mark.slow
-@pytest.mark.parametrize("start", ["spawn", "forkserver"])
+@pytest.mark.parametrize("start", ["spawn", pytest.param("forkserver", marks=pytest.mark.exhaustive)])
 def test_processes_that_share_nothing_give_the_same_rows(start, tmp_path):
     """A function that cannot be sent to them is called in threads."""
     program = tmp_path / "program.py"

@@ -80,9 +80,14 @@ def running(folder, workers, **environment):
 
 
 @pytest.fixture(scope="module")
-def client(tmp_path_factory):
-    with running(tmp_path_factory.mktemp("cluster"), 2) as (_, found):
-        yield found
+def two(tmp_path_factory):
+    with running(tmp_path_factory.mktemp("cluster"), 2) as made:
+        yield made
+
+
+@pytest.fixture(scope="module")
+def client(two):
+    return two[1]
 
 
 def same(one, other):
@@ -191,7 +196,7 @@ def test_a_scheduler_that_is_not_there_is_one_clear_error(address, monkeypatch, 
 
 
 @pytest.mark.slow
-def test_a_worker_killed_in_a_row_costs_that_row_alone(tmp_path):
+def test_a_worker_killed_in_a_row_costs_that_row_alone(two, tmp_path):
     """The row of 0.4 m tells its process and waits, the first time."""
     text = str(tmp_path / "told")
 
@@ -206,13 +211,15 @@ def test_a_worker_killed_in_a_row_costs_that_row_alone(tmp_path):
         os.kill(int(str(Path(text).readlink())), signal.SIGKILL)
 
     options = {**ASKED, "over": {"drop_height": "0.3..0.5 m:21"}, "functions": {"waits": waits}, "compiled": False}
-    with running(tmp_path, 2) as (made, client):
-        killer = threading.Thread(target=kill)
-        killer.start()
-        table = sweep("bouncing_ball", **options, client=client, out=tmp_path / "rows")
-        killer.join()
-        assert [process.poll() for process in made.processes].count(-signal.SIGKILL) == 1
-        assert len(client.nthreads()) == 1
+    made, client = two
+    killer = threading.Thread(target=kill)
+    killer.start()
+    table = sweep("bouncing_ball", **options, client=client, out=tmp_path / "rows")
+    killer.join()
+    assert [process.poll() for process in made.processes].count(-signal.SIGKILL) == 1
+    assert len(client.nthreads()) == 1
+    made.add()
+    client.wait_for_workers(2, timeout=240)
     assert table.counts() == {"finished": 21}
     assert same(table, sweep("bouncing_ball", **options))
     assert same(table, Sweep.load(tmp_path / "rows"))
