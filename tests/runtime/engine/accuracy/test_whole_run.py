@@ -62,6 +62,18 @@ def test_impacts_count_by_speed_force_and_the_time_in_which_their_length_is_cove
     assert errors(true._replace(duration=None, peak_force=1.0)) == [0.0]  # stopped in it
 
 
+def test_an_impact_that_is_off_is_an_error_of_the_run(monkeypatch):
+    """By as much as it is off, from a run that has 7/8 of it; the states are as they were."""
+
+    def off(one, *_):
+        return [(impact.t, 4.2e-3, 7e6) for impact in one]
+
+    monkeypatch.setattr("hertzwerk.runtime.engine.run.run_difference.impact_differences", off)
+    run = simulate(engine_model("bouncing_ball"), duration="1 s", accuracy=1e-2, compiled=False)
+    assert run.error.worst == pytest.approx(4.8e-3, rel=1e-4)
+    assert run.error.of("floor.normal_force") == pytest.approx(8e6, rel=1e-4)
+
+
 @pytest.mark.parametrize("asked", [1e-2, 1e-4])
 def test_the_request_holds_on_the_way_to_rest_and_of_peaks(asked):
     """On the old code `bouncing_ball` for 15 s at 1e-4 was off by 1.6e-3 on the way, and at rest by nothing."""

@@ -91,7 +91,8 @@ def test_warnings_that_rows_share_are_stated_once_and_values_in_their_units(repo
     assert " none " not in text
     report("report", "rows", "--out", "rows.html")
     outline = Outline((tmp_path / "rows.html").read_text("utf-8"))
-    assert "clearance [mm]" in outline.tables["Rows"][0][0]
+    head, *rows = outline.tables["Rows"][0]
+    assert {float(row[head.index("clearance [mm]")]) for row in rows} == {0.1, 0.3, 0.5}
     (restitution,) = (text for text in outline.texts["li"] if "restitution = 0.5" in text)
     (speeds,) = (text for text in outline.texts["li"] if "impacts of slider_pin exceed" in text)
     assert "3 rows: " in restitution
