@@ -19,6 +19,7 @@ FAULTS = {
     "load_turns_on_the_cone": ({"share": 1.0001}, {"final x.travel", "final z.travel", "largest floor.slip"}),
     "load_turns_beyond_the_cone": ({"share": 1.05001}, {"final speed"}),
     "slips_as_it_rolls_off_centre": ({"offset_x": "3.9089 mm"}, {"onset of slip", "final flight.x"}),
+    "incline_bounces_to_rest": ({"friction_coefficient": 0.90001}, {"rigid: final travel"}),
     "bounces_with_resistances": ({"rolling_arm": "1.00001 mm"}, {"angular speed"}),
 }
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, cast
 
 import sympy as sp
 
@@ -22,6 +22,7 @@ from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.expressions.algebra.sectors import Mean, Share, Shares
 from hertzwerk.derive.expressions.algebra.vectors import ZERO, Vector, add, cross, dot, scale, sub, transpose
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
+from hertzwerk.derive.program.program import Tape
 
 PURE = Dimension.from_unit("1")
 INNER, OUTER = sp.Float("0.0625"), sp.Float("0.5")  # exact in binary, and printed as one number
@@ -37,10 +38,9 @@ class Worn:
     """Rate of the penetration by the first body's spin against the second [m/s]."""
 
     def __init__(self, touch: Any, wear: Wear) -> None:
-        self.touch, self.wear, self.tape = touch, wear, touch.tape
-        self.specific = wear.rates(touch.pair)
-        names = {label: [f"{wear.name}.{name}" for name in names] for label, names in wear.depths(touch.pair).items()}
-        self.states = {label: [touch.kin.state(name) for name in of] for label, of in names.items()}
+        self.touch, self.wear, self.tape = touch, wear, cast(Tape, touch.tape)
+        self.specific, depths = wear.rates(touch.pair), wear.depths(touch.pair)
+        self.states = {label: [touch.kin.state(f"{wear.name}.{name}") for name in of] for label, of in depths.items()}
         for state in (state for states in self.states.values() for state in states):
             self.tape.set_rate(state, sp.S.Zero)  # at rates of the pose alone: wear adds its own in contact
 
@@ -202,9 +202,7 @@ class WornTrack(WornSectors):
 
     @cached_property
     def _along(self) -> Vector:
-        direction = self.touch.kin.direction(self.touch.second, self.wear.along)
-        along: Vector = self.tape.vector(direction, f"{self.wear.name}_along")
-        return along
+        return self.tape.vector(self.touch.kin.direction(self.touch.second, self.wear.along), f"{self.wear.name}_along")
 
     def faults(self) -> Iterator[Fault]:
         """Yield the fault of a sphere that may leave the track to its side."""
@@ -241,17 +239,15 @@ class WornContour(WornSectors):
 
     @cached_property
     def _axis(self) -> Vector:
-        direction = self.touch.kin.direction(self.touch.second, self.touch.pair.axis)
-        axis: Vector = self.tape.vector(direction, f"{self.wear.name}_axis")
-        return axis
+        axis = self.touch.kin.direction(self.touch.second, self.touch.pair.axis)
+        return self.tape.vector(axis, f"{self.wear.name}_axis")
 
     @cached_property
     def length(self) -> Any:
         """Eccentricity where its direction counts [m]; a fixed length near the centre."""
         least = INNER * sp.sympify(self.touch.pair.clearance) ** 2
-        return self.let(
-            sp.sqrt(self.let(Where(self.touch.squared > least, self.touch.squared, least), "safe_squared")), "length"
-        )
+        safe = self.let(Where(self.touch.squared > least, self.touch.squared, least), "safe_squared")
+        return self.let(sp.sqrt(safe), "length")
 
     @cached_property
     def sides(self) -> dict[str, Side]:
@@ -307,8 +303,7 @@ class WornContour(WornSectors):
 
     def couple(self, force: Any) -> Vector:
         """Couple on the pin of a force along the gradient [N m]."""
-        couple: Vector = self.tape.vector(scale(-force * self._lever, self._axis), f"{self.wear.name}_couple")
-        return couple
+        return self.tape.vector(scale(-force * self._lever, self._axis), f"{self.wear.name}_couple")
 
     def area(self, label: str) -> Any:
         """Area of a sector [m^2]."""

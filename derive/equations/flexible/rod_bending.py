@@ -39,7 +39,7 @@ from hertzwerk.derive.program.program import Tape
 NONE = sp.S.Zero
 _X, _Y, _Z = IDENTITY
 _Table = list[list[Any]]
-"""Values by direction, Y and then Z, and shape."""
+"""Values by direction, Y and then Z, and shape; zeros in a direction in which the rod does not bend."""
 
 
 class RodBending:
@@ -48,18 +48,22 @@ class RodBending:
     def __init__(self, tape: Tape, rod: FlexibleRod, q: Sequence[Any], u: Sequence[Any]) -> None:
         self.tape, self.rod, self.name = tape, rod, rod.name
         self.length, self.mass = sp.sympify(rod.length), sp.sympify(rod.mass)
-        self.count = len(q) // len(rod.stiffnesses)
-        self.directions = range(len(rod.stiffnesses))
-        self.q, self.u = (
-            [list(part[d * self.count : (d + 1) * self.count]) for d in self.directions] for part in (q, u)
-        )
-        shapes = rod.shapes
+        self.speeds, shapes, self.directions = u, rod.shapes, range(len(rod.stiffnesses))
+        self.count = count = len(q) // len(self.directions)
+        self.q, self.u = ([[*part[:count]], [*part[count:]] or [NONE] * count] for part in (q, u))
         self._area = [self.mass * number for number in shapes.integrals()]
         self._lever = [self.mass * self.length * number for number in shapes.integrals(1)]
         self._end, self._slope = shapes.at(1), [number / self.length for number in shapes.at(1, 1)]
-        self._of_mass = [[self.mass * number for number in row] for row in shapes.products(0)]
+        self._of_mass = self._scaled(self.mass, shapes.products(0))
+        self._shortening = self._scaled(1 / self.length, shapes.products(1))
+        self._sinking = self._scaled(self.mass / self.length, shapes.products(1, lambda x: 1 - x))
+        self._stiffening = self._scaled(self.mass, shapes.products(1, lambda x: (1 - x**2) / 2))
 
     # -- sums over the shapes ------------------------------------------------------------------------------------------
+
+    @staticmethod
+    def _scaled(factor: Any, rows: Sequence[Sequence[Any]]) -> _Table:
+        return [[factor * number for number in row] for row in rows]
 
     def _times(self, rows: Sequence[Sequence[Any]], of: _Table, label: str) -> _Table:
         """Products of a symmetric matrix of the shapes and vectors."""
@@ -71,17 +75,17 @@ class RodBending:
 
     def _both(self, one: _Table, other: _Table) -> Any:
         """Sum of the products over shapes and directions."""
-        return total(*(product(a, b) for d in self.directions for a, b in zip(one[d], other[d], strict=True)))
+        return total(*(self._dot(a, b) for a, b in zip(one, other, strict=True)))
 
-    def _in_axes(self, along: Any, across: Sequence[Any]) -> Vector:
-        """Vector of its component along the rod, and those of the directions."""
-        return (along, across[0], across[1] if len(across) > 1 else NONE)
+    def _by_speeds(self, along: _Table, across: Sequence[Any]) -> list[Vector]:
+        """Vectors by each speed: its component along the rod, and that in its direction."""
+        return [
+            (-along[d][i], *(across[i] if d == k else NONE for k in range(2)))
+            for d in self.directions
+            for i in range(self.count)
+        ]
 
     # -- motion of the end ---------------------------------------------------------------------------------------------
-
-    @cached_property
-    def _shortening(self) -> list[list[Any]]:
-        return [[number / self.length for number in row] for row in self.rod.shapes.products(1)]
 
     @cached_property
     def _drawn_in(self) -> _Table:
@@ -91,28 +95,21 @@ class RodBending:
     def tip(self) -> Vector:
         """Vector from A to the end [m]."""
         short = self._both(self.q, self._drawn_in) / 2
-        return self.tape.vector(
-            self._in_axes(self.length - short, self._sum(self._end, self.q, "deflection")), f"{self.name}_tip"
-        )
+        return self.tape.vector((self.length - short, *self._sum(self._end, self.q, "deflection")), f"{self.name}_tip")
 
     @cached_property
     def slides(self) -> list[Vector]:
         """Velocity of the end by each speed [1]."""
-        return [
-            self._in_axes(-self._drawn_in[d][i], [self._end[i] if d == k else NONE for k in self.directions])
-            for d in self.directions
-            for i in range(self.count)
-        ]
+        return self._by_speeds(self._drawn_in, self._end)
 
     @cached_property
     def angles(self) -> list[tuple[Vector, Any]]:
         """Turns of the end, one after the other: axis and angle [rad]."""
         return self._turned(self._sum(self._slope, self.q, "slope"))
 
-    @staticmethod
-    def _turned(slopes: Sequence[Any]) -> list[tuple[Vector, Any]]:
+    def _turned(self, slopes: Sequence[Any]) -> list[tuple[Vector, Any]]:
         """Turns of a section by its slopes in the directions: axis and angle [rad]."""
-        return [(_Z, slopes[0]), *((_Y, -slope) for slope in slopes[1:])]
+        return [(_Z, slopes[0]), (_Y, -slopes[1])][: len(self.directions)]
 
     def _cosine_and_sine(self, angle: Any) -> list[Any]:
         return [self.tape.let(f(angle), f"{f.__name__}_{self.name}_slope") for f in (sp.cos, sp.sin)]
@@ -132,13 +129,13 @@ class RodBending:
         slopes = self._sum([number / self.length for number in self.rod.shapes.at(at, 1)], self.q, f"slope_{percent}")
         for axis, angle in self._turned(slopes):
             matrix = multiply(matrix, about(axis, sp.cos(angle), sp.sin(angle)))
-        return self._in_axes(at * self.tip[0], aside), matrix
+        return (at * self.tip[0], *aside), matrix
 
     @cached_property
     def _hinges(self) -> list[Vector]:
         """Axes of the turns of the end, along the start's axes: of Y's slope, then of Z's."""
         if len(self.directions) == 1:
-            return [_Z]
+            return [_Z, ZERO]
         cosine, sine = self._cosine_and_sine(self.angles[0][1])
         return [_Z, (sine, -cosine, NONE)]
 
@@ -152,11 +149,6 @@ class RodBending:
         return self.tape.vector(add(ZERO, *map(scale, factors, vectors)), f"{self.name}_{label}")
 
     @cached_property
-    def speeds(self) -> list[Any]:
-        """Speeds of all rows."""
-        return [speed for part in self.u for speed in part]
-
-    @cached_property
     def moved(self) -> tuple[Vector, Vector]:
         """Velocity and angular velocity of the end, relative to the start."""
         return self.sum(self.slides, self.speeds, "end_velocity"), self.sum(self.turns, self.speeds, "end_turning")
@@ -165,14 +157,9 @@ class RodBending:
     def bent(self) -> tuple[Vector, Vector]:
         """Acceleration and angular acceleration of the end, relative to the start, at constant speeds."""
         along = self._both(self.u, self._times(self._shortening, self.u, "drawing_in"))
-        if len(self.directions) == 1:
-            return self.tape.vector((-along, NONE, NONE), f"{self.name}_end_bias"), ZERO
         one, two = self._sum(self._slope, self.u, "slope_rate")
-        swung = scale(one * two, cross(_Z, self._hinges[1]))
-        return (
-            self.tape.vector((-along, NONE, NONE), f"{self.name}_end_bias"),
-            self.tape.vector(swung, f"{self.name}_end_swing"),
-        )
+        bias, swung = (-along, NONE, NONE), scale(product(one, two), cross(_Z, self._hinges[1]))
+        return self.tape.vector(bias, f"{self.name}_end_bias"), self.tape.vector(swung, f"{self.name}_end_swing")
 
     # -- inertia -------------------------------------------------------------------------------------------------------
 
@@ -185,50 +172,35 @@ class RodBending:
         return self._times(self._of_mass, self.u, "weighed_rate")
 
     @cached_property
-    def _sinking(self) -> list[list[Any]]:
-        rows = self.rod.shapes.products(1, lambda x: 1 - x)
-        return [[self.mass / self.length * number for number in row] for row in rows]
-
-    @cached_property
     def _sunk(self) -> _Table:
         return self._times(self._sinking, self.q, "sunk")
 
     @cached_property
     def _stiffened(self) -> _Table:
-        rows = self.rod.shapes.products(1, lambda x: (1 - x**2) / 2)
-        return self._times([[self.mass * number for number in row] for row in rows], self.q, "stiffened")
+        return self._times(self._stiffening, self.q, "stiffened")
 
     @cached_property
     def moment(self) -> Vector:
         """First moment c, in addition to that of the straight rod [kg m]."""
         along = -self._both(self.q, self._sunk) / 2
-        return self.tape.vector(
-            self._in_axes(along, self._sum(self._area, self.q, "aside")), f"{self.name}_bent_moment"
-        )
+        return self.tape.vector((along, *self._sum(self._area, self.q, "aside")), f"{self.name}_bent_moment")
 
     @cached_property
     def inertia(self) -> Matrix:
         """Inertia J about A, in addition to that of the straight rod [kg m^2]."""
-        along, aside = -self._both(self.q, self._stiffened), self._sum(self._lever, self.q, "lever")
-        squares = [self._dot(part, other) for part, other in zip(self.q, self._weighed, strict=True)]
-        mixed = self._dot(self.q[0], self._weighed[1]) if len(squares) > 1 else NONE
-        return self._inertia(along, aside, squares, mixed, "bent_inertia")
+        return self._inertia(self.q, 1, "")
 
     @cached_property
     def _inertia_rate(self) -> Matrix:
-        along, aside = -2 * self._both(self.u, self._stiffened), self._sum(self._lever, self.u, "lever_rate")
-        squares = [2 * self._dot(part, other) for part, other in zip(self.u, self._weighed, strict=True)]
-        mixed = NONE
-        if len(squares) > 1:
-            mixed = self._dot(self.u[0], self._weighed[1]) + self._dot(self.u[1], self._weighed[0])
-        return self._inertia(along, aside, squares, mixed, "bent_inertia_rate")
+        return self._inertia(self.u, 2, "_rate")
 
-    def _inertia(self, along: Any, aside: Sequence[Any], squares: Sequence[Any], mixed: Any, label: str) -> Matrix:
-        """Inertia by the integrals of x x, x w, w w and w_y w_z over the mass."""
-        y, z = (*squares, NONE)[:2]
-        xy, xz = (*aside, NONE)[:2]
+    def _inertia(self, of: _Table, order: int, label: str) -> Matrix:
+        """Inertia by the integrals of x x, x w, w w and w_y w_z over the mass, of order 1, or its rate, 2."""
+        along, (xy, xz) = -order * self._both(of, self._stiffened), self._sum(self._lever, of, f"lever{label}")
+        y, z = (order * self._dot(part, other) for part, other in zip(of, self._weighed, strict=True))
+        mixed = total(*(self._dot(of[d], self._weighed[1 - d]) for d in range(order)))
         rows = ((total(y, z), -xy, -xz), (-xy, total(along, z), -mixed), (-xz, -mixed, total(along, y)))
-        return self.tape.matrix(rows, f"{self.name}_{label}")
+        return self.tape.matrix(rows, f"{self.name}_bent_inertia{label}")
 
     @staticmethod
     def _dot(one: Sequence[Any], other: Sequence[Any]) -> Any:
@@ -237,20 +209,14 @@ class RodBending:
     @cached_property
     def pushes(self) -> list[Vector]:
         """Momentum p_i by each speed [kg]."""
-        return [
-            self._in_axes(-self._sunk[d][i], [self._area[i] if d == k else NONE for k in self.directions])
-            for d in self.directions
-            for i in range(self.count)
-        ]
+        return self._by_speeds(self._sunk, self._area)
 
     @cached_property
     def twists(self) -> list[Vector]:
         """Angular momentum h_i about A by each speed [kg m]."""
-        across = self._weighed[1] if len(self.directions) > 1 else [NONE] * self.count
-        twists = [(-across[i], NONE, self._lever[i]) for i in range(self.count)]
-        if len(self.directions) > 1:
-            twists += [(self._weighed[0][i], -self._lever[i], NONE) for i in range(self.count)]
-        return twists
+        one, two = self._weighed
+        twists = [(-two[i], NONE, self._lever[i]) for i in range(self.count)]
+        return [*twists, *((one[i], -self._lever[i], NONE) for i in range(self.count))][: len(self.speeds)]
 
     def mass_of(self, row: int, other: int) -> Any:
         """Entry of the mass matrix of two rows [kg]."""
@@ -283,14 +249,12 @@ class RodBending:
     def row_bias(self, row: int, w: Vector, acceleration: Vector, angular: Vector) -> Any:
         """Generalised inertia force of a row at zero accelerations of the shapes [N]."""
         d, i = divmod(row, self.count)
-        other, across = 1 - d, (w[2], w[1])  # components of w about which a direction swings, and along it
-        let = self.tape.let
+        across, let = (w[2], w[1]), self.tape.let  # components of w about which a direction swings, and along it
         square = let(w[1] ** 2 + w[2] ** 2, f"{self.name}_spin_squared")
         swing = let(w[0] ** 2 + across[d] ** 2, f"{self.name}_swing_squared")
         mixed = [self._stiffened[d][i] * square, -self._weighed[d][i] * swing, self._lever[i] * w[0] * across[1 - d]]
         if len(self.directions) > 1:
-            mixed.append(self._weighed[other][i] * w[1] * w[2])
-            mixed.append((-2, 2)[d] * self._weighed_rates[other][i] * w[0])
+            mixed += [self._weighed[1 - d][i] * w[1] * w[2], (-2, 2)[d] * self._weighed_rates[1 - d][i] * w[0]]
         return total(dot(self.pushes[row], acceleration), dot(self.twists[row], angular), *mixed)
 
     @cached_property

@@ -35,5 +35,6 @@ CASES: tuple[HardCase, ...] = (
     *geneva.CASES,
     *shaken.CASES,
     *edge_of_friction.CASES,
+    *sliding.BESIDE_RIGID_LIMIT,
 )
 BY_NAME = {case.name: case for case in CASES}

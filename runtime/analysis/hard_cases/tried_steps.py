@@ -214,4 +214,5 @@ TRIES: dict[str, dict[str, int]] = {
     "slides_until_its_law_pulls": {"dopri5": 139, "dop853": 91, "rodas": 109, "esdirk": 110, "auto": 91},
     "peak_beside_a_landing": {"dopri5": 5002, "dop853": 1662, "rodas": 3976, "esdirk": 3975, "auto": 1662},
     "slips_as_it_rolls_off_centre": {"dopri5": 1255, "dop853": 562, "rodas": 1526, "esdirk": 992, "auto": 562},
+    "incline_bounces_to_rest": {"dopri5": 836, "dop853": 347, "rodas": 848, "esdirk": 647, "auto": 290},
 }

@@ -37,8 +37,7 @@ def figure(limit: RigidLimit) -> Figure:
             _gap(axis, limit, j, times)
             axis.set_xlabel(f"time [{time.unit}]")
         axes[len(pairs)].plot(time(limit.t), energy(limit.energy), color=VERMILLION)
-        axes[len(pairs)].set_title(f"kinetic and potential energy [{energy.unit}]")
-        axes[len(pairs)].set_xlabel(f"time [{time.unit}]")
+        axes[len(pairs)].set(title=f"kinetic and potential energy [{energy.unit}]", xlabel=f"time [{time.unit}]")
         if curves:
             _convergence(axes[-1], limit, curves)
         heading(page, f"{limit.model.name}: rigid limit")
@@ -79,8 +78,7 @@ def _convergence(axis: Axes, limit: RigidLimit, curves: dict[int, list[StifferRu
     for colour, (i, runs) in zip(CYCLE, curves.items(), strict=False):
         apart = [abs(each.apart[i]) for each in runs]
         axis.loglog([each.factor for each in runs], apart, "o-", color=colour, label=f"impact {i + 1}")
-    axis.set_title("onset of impacts less that of the rigid ones [s]")
-    axis.set_xlabel(f"{limit.stiffness}, times its value")
+    axis.set(title="onset of impacts less that of the rigid ones [s]", xlabel=f"{limit.stiffness}, times its value")
     legend(axis)
     factors = [each.factor for each in limit.stiffer]
     axis.set_xticks(factors, [f"{factor:g}" for factor in factors], minor=False)

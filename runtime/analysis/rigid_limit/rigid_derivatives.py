@@ -1,6 +1,6 @@
 """Derivatives of a run in the rigid limit: variational equations between events, and a jump at each.
 
-Their right sides are central differences of the motion in one mode, between two neighbours of the run that follow its modes. An event's
+A jump is a central difference between neighbours of the run that follow its modes, of fourth order. An event's
 time changes by the change of its margin over the margin's rate (Leine, Nijmeijer, Dynamics and Bifurcations of Non-Smooth
 Mechanical Systems (2004), section 7.1.3).
 """
@@ -55,6 +55,7 @@ class RigidDerivatives:
         model, bound = run.equations.model, run.equations.bound
         refuse(f"derivatives of {model.name}", derivative_faults(model, names))
         self.names, self._run, self._law, self._initial, self._again, self._step = names, run, law, initial, again, step
+        self._pairs = model.pairs
         self._directions = directions_by(model, bound, names)
         self.until, self.reason = run.motion.t[-1], ""
         self._starts = np.array([event.t for event in run.motion.events])
@@ -126,7 +127,7 @@ class RigidDerivatives:
 
         events, pieces, numbers = self._run.motion.events, [], []
         dc, name = self._directions.dc[:, i], self.names[i]
-        dmu = np.array([float(self._law[pair].friction == name) for pair in self._run.names])
+        dmu = np.array([float(self._law[pair].friction == name) for pair in self._pairs])
         atol = TOLERANCE * self._run.sizes / self._directions.sizes[i]
         for event, stop in zip(events, [*self._starts[1:], self._run.motion.t[-1]], strict=True):
             try:
@@ -179,11 +180,12 @@ class RigidDerivatives:
             return run
         bound, name, of = run.equations.bound, self.names[i], self._directions
         moved = replace(bound, p=bound.p + change * of.dp[:, i], c=bound.c + change * of.dc[:, i])
-        laws = [
+        contacts = [
             replace(one, e=one.e + change * (law.restitution == name), mu=one.mu + change * (law.friction == name))
-            for one, law in zip(run.laws, (self._law[pair] for pair in run.names), strict=True)
+            for one in run.contacts
+            for law in (self._law[one.pair],)
         ]
-        return replace(run, equations=Equations(run.equations.model, moved), laws=laws)
+        return replace(run, equations=Equations(run.equations.model, moved), contacts=contacts)
 
     def _jump(self, i: int, event: RigidEvent, s: Array) -> tuple[Array, Array, Array]:
         """Return the changes of the state after an event, of its impacts (n, 6) and accumulations (n,)."""
@@ -191,17 +193,21 @@ class RigidDerivatives:
         modes, hit, _ = after.pattern()
         collide = [
             name
-            for name, old, new in zip(before.names, before.mode, modes, strict=True)
+            for name, old, new in zip(self._pairs, before.mode, modes, strict=True)
             if old == OPEN and (new != OPEN or name in hit)
         ]
         shift, f = 0.0, np.zeros(len(s))
         if ended is None:
-            self._stays(i, event, s, collide)
-            before = replace(before, mode=[SLIDES if name in collide else OPEN for name in before.names])
+            change = before.equations.changes(t, y, s, self._directions.dc[:, i]).gap
+            moved = np.abs(change) * self._directions.sizes[i] > STAYS * self._run.scale[0]
+            opens = [name for name, far in zip(self._pairs, moved, strict=True) if far and name in collide]
+            if opens:
+                raise _NotSmoothError(f"{', '.join(opens)} touches at the start, and opens or closes")
+            before = replace(before, mode=[SLIDES if name in collide else OPEN for name in self._pairs])
         else:
-            others = [pair for pair in collide if pair != before.names[ended]]
+            others = [pair for pair in collide if pair != self._pairs[ended]]
             if others:
-                raise _NotSmoothError(f"{' and '.join([before.names[ended], *others])} collide at one instant")
+                raise _NotSmoothError(f"{' and '.join([self._pairs[ended], *others])} collide at one instant")
             f = before.rates(t, y)
 
             shift = self._shift(i, event, ended, s, f)
@@ -224,7 +230,7 @@ class RigidDerivatives:
         """Return the change of an event's time: that of its margin over the rate of the margin."""
         t, y, before = event.t, event.y, event.before
         if before.mode[ended] == OPEN:
-            closing = before.equations.at(t, y).velocity[before.equations.rows[ended][0]]
+            closing = before.equations.at(t, y).velocity[before.contacts[ended].n]
             return -float(before.equations.changes(t, y, s, self._directions.dc[:, i]).gap[ended] / closing)
 
         def margin(one: RigidRun, t: float, y: Array) -> Any:
@@ -235,11 +241,3 @@ class RigidDerivatives:
             self._difference(before, margin, None, t, y, f, 1.0),
         )
         return -float(change / rate)
-
-    def _stays(self, i: int, event: RigidEvent, s: Array, closed: list[str]) -> None:
-        """Refuse a start whose contacts open or close by a change."""
-        change = event.before.equations.changes(event.t, event.y, s, self._directions.dc[:, i]).gap
-        moved = np.abs(change) * self._directions.sizes[i] > STAYS * self._run.scale[0]
-        opens = [name for name, far in zip(event.before.names, moved, strict=True) if far and name in closed]
-        if opens:
-            raise _NotSmoothError(f"{', '.join(opens)} touches at the start, and opens or closes")

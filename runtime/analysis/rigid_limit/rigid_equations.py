@@ -7,13 +7,13 @@ the accelerations, with loops closed. No module is derived for them.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault
-from hertzwerk.runtime.analysis.rigid_limit.rigid_impact import BoundImpact
 from hertzwerk.runtime.engine.integration.step.projection import closing
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
@@ -63,20 +63,17 @@ def refused(model: EngineModel) -> list[Fault]:
     return faults
 
 
-def tangent_faults(model: EngineModel, laws: list[BoundImpact]) -> list[Fault]:
-    """Return the faults of friction where a pair has no tangents."""
-    lacking = [pair for pair, law, n in zip(model.pairs, laws, _tangents(model), strict=True) if law.mu > 0 and not n]
-    if not lacking:
-        return []
-    return [Fault(f"friction of {', '.join(lacking)}", "no tangents along which it could act",
-                  "pairs with a friction effect: any law in the plane, coulomb in space")]  # fmt: skip
-
-
 @per_model
 def _tangents(model: EngineModel) -> list[int]:
     """Return the number of tangents of each pair along which its sliding velocity is linear in the speeds."""
     t, q, u, c = model.symbols("t q u c")
     return [x.numel() if ca.is_linear(x, u) else 0 for x in _sliding(model, t, q, u, c)]
+
+
+def rows_of(model: EngineModel) -> list[tuple[int, list[int]]]:
+    """Return the rows of each pair: of its normal, and of its tangents."""
+    ends = np.cumsum([1 + count for count in _tangents(model)]).tolist()
+    return [(first, [*range(first + 1, end)]) for first, end in pairwise([0, *ends])]
 
 
 def _sliding(model: EngineModel, t: ca.SX, q: ca.SX, u: ca.SX, c: ca.SX) -> list[ca.SX]:
@@ -160,11 +157,6 @@ class Equations:
 
     def __init__(self, model: EngineModel, bound: BoundParameters) -> None:
         self.model, self.bound, self._c, self._evaluate = model, bound, bound.c, _equations(model)
-        self.rows, first = [], 0  # of each pair's normal, and of its tangents
-        for count in _tangents(model):
-            self.rows.append((first, tuple(range(first + 1, first + 1 + count))))
-            first += 1 + count
-        self.m = first
         self._closing, self._work = closing(model), _work(model)
         self.booked = self._work is not None
 
@@ -173,7 +165,8 @@ class Equations:
         return self._state(self._evaluate, t, y)
 
     def _state(self, function: Callers, t: float, y: Array, *more: Array) -> State:
-        nq, nu, m, k = self.model.nq, self.model.nu, self.m, self.model.k
+        nq, nu, k = self.model.nq, self.model.nu, self.model.k
+        m = k + sum(_tangents(self.model))
         sizes = ((nq,), (nu,), (m, nu), (m, m), (m,), (m,), (k,))  # by columns
         results = function(t, y[:nq], y[nq:], self._c, *more)
         parts = [np.asarray(x).ravel("F").reshape(shape) for x, shape in zip(results, sizes, strict=True)]
@@ -204,16 +197,10 @@ class Equations:
         if normals:
             at = self.at(t, y)
             moved = at.pushed[:, normals] @ np.linalg.lstsq(at.D[np.ix_(normals, normals)], -at.gap[gaps])[0]
-            y[: model.nq] += self._moves(t, y, moved)
+            q = y[: model.nq].copy()  # whose rates by speeds are taken
+            by, without = (model.evaluate("coordinate_rates", t, q, u, self._c)[0] for u in (moved, 0 * moved))
+            y[: model.nq] += by - without
         if held:
             at = self.at(t, y)
             y[model.nq :] += at.pushed[:, held] @ np.linalg.lstsq(at.D[np.ix_(held, held)], -at.velocity[held])[0]
         return y
-
-    def _moves(self, t: float, y: Array, moved: Array) -> Array:
-        """Return the changes of the coordinates by changes along the speeds."""
-        q = y[: self.model.nq]
-        still = np.zeros(self.model.nu)
-        (by, without) = (self.model.evaluate("coordinate_rates", t, q, u, self._c)[0] for u in (moved, still))
-        rates: Array = by - without
-        return rates

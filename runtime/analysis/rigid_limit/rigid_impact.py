@@ -8,7 +8,7 @@ of Non-Smooth Mechanical Systems (2004), chapter 5.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -43,24 +43,39 @@ class RigidImpact:
 
 
 @dataclass(frozen=True)
-class BoundImpact:
-    """Numbers of an impact law: restitution, coefficient of friction, and whose rule."""
+class Contact:
+    """A pair as a rigid contact, with the numbers of its impact law.
 
-    e: float
+    n, tangents    its rows: along the normal, and along no, one or two tangents
+    mu, e, poisson    coefficient of friction, restitution, and whether that is Poisson's
+    least    impulse below which the normal one does not fall (Poisson's expansion)
+    slides    direction (tangents,) of a sliding that goes on; None where friction may hold
+    """
+
+    pair: str
+    n: int
+    tangents: list[int]
     mu: float
-    poisson: bool
+    e: float = 0.0
+    poisson: bool = False
+    least: float = 0.0
+    slides: Array | None = None
 
 
 def read_impacts(
-    model: EngineModel, laws: Mapping[str, object], bound: BoundParameters | None, faults: list[Fault]
-) -> list[BoundImpact]:
-    """Return the impact law of each pair; bad input is appended to `faults`."""
+    model: EngineModel,
+    laws: Mapping[str, object],
+    rows: Iterable[tuple[int, list[int]]],
+    bound: BoundParameters | None,
+    faults: list[Fault],
+) -> list[Contact]:
+    """Return each pair with its law and its rows; bad input is appended to `faults`."""
     faults += [unknown("contact pair", name, model.pairs) for name in laws if name not in model.pairs]
     missing = [pair for pair in model.pairs if pair not in laws]
     if missing:
         faults.append(Fault("law", f"none for {', '.join(missing)}", "a RigidImpact for every contact pair"))
-    read = []
-    for pair in model.pairs:
+    contacts = []
+    for pair, (n, tangents) in zip(model.pairs, rows, strict=True):
         one = laws.get(pair, RigidImpact(0.0))
         if not isinstance(one, RigidImpact):
             faults.append(Fault(f"law of {pair}", shown(one), "a RigidImpact(restitution, friction)"))
@@ -69,8 +84,12 @@ def read_impacts(
             faults.append(Fault(f"law of {pair}", f"rule {shown(one.rule)}", f"one of {', '.join(RULES)}"))
         e = _number(model, bound, f"restitution of {pair}", one.restitution, 1.0, faults)
         mu = _number(model, bound, f"friction of {pair}", one.friction, math.inf, faults)
-        read.append(BoundImpact(e, mu, one.rule == "poisson"))
-    return read
+        contacts.append(Contact(pair, n, tangents, mu, e, one.rule == "poisson"))
+    lacking = ", ".join(one.pair for one in contacts if one.mu > 0 and not one.tangents)
+    if lacking:
+        faults.append(Fault(f"friction of {lacking}", "no tangents along which it could act",
+                            "pairs with a friction effect: any law in the plane, coulomb in space"))  # fmt: skip
+    return contacts
 
 
 def _number(
@@ -81,7 +100,9 @@ def _number(
     if isinstance(value, str):
         without = [name for name, port in model.parameters.items() if port.unit == "1"]
         if value not in without:
-            faults.append(unknown(f"{where}: dimensionless parameter", value, without))
+            port = model.parameters.get(value)
+            faults.append(unknown(f"{where}: dimensionless parameter", value, without) if port is None else
+                          Fault(where, f"{value}, a parameter in {port.unit}", f"one without a unit: {', '.join(without)}"))  # fmt: skip
             return 0.0
         read = 0.0 if bound is None else bound[value]
     if not is_real(read) or not 0 <= read <= highest or math.isinf(read):
@@ -92,83 +113,63 @@ def _number(
 
 
 class NoSolutionError(Exception):
-    """Lack of impulses or forces that agree with the law: a place among the contacts, and the reason."""
+    """Lack of impulses or forces that agree with the law: a pair, and the reason."""
 
-    def __init__(self, contact: int, why: str) -> None:
+    def __init__(self, pair: str, why: str) -> None:
         super().__init__(why)
-        self.contact, self.why = contact, why
-
-
-@dataclass(frozen=True)
-class Contact:
-    """One of the contacts to be solved for.
-
-    n, tangents    its rows: along the normal, and along no, one or two tangents
-    mu    coefficient of friction
-    least    impulse below which the normal one does not fall (Poisson's expansion)
-    slides    direction (tangents,) of a sliding that goes on; None where friction may hold
-    """
-
-    n: int
-    tangents: tuple[int, ...]
-    mu: float
-    least: float = 0.0
-    slides: Array | None = None
+        self.pair, self.why = pair, why
 
 
 def solved(D: Array, b: Array, contacts: Sequence[Contact]) -> Array:
     """Return impulses x (m,) of contacts with velocities D x + b after them; raises NoSolutionError.
 
     D (m, m) [1/kg or alike] is the inverse inertia along the rows of all contacts, b (m,) the velocities without them, plus
-    restitution times the approach speed along normals. By projected Gauss-Seidel sweeps (Moreau 1988; Jourdan, Alart, Jean,
-    Comput. Methods Appl. Mech. Eng. 155 (1998) 31), to rounding.
+    restitution times the approach speed along normals; x is zero along all other rows. By projected Gauss-Seidel sweeps
+    (Moreau 1988; Jourdan, Alart, Jean, Comput. Methods Appl. Mech. Eng. 155 (1998) 31), to rounding.
     """
     x = np.zeros(len(b))
-    for i, one in enumerate(contacts):
+    for one in contacts:
         if one.slides is not None and _pressed(D, one) <= 1e-12 * D[one.n, one.n]:
-            raise NoSolutionError(i, "friction raises the normal force on which it depends (Painleve 1895)")
+            raise NoSolutionError(one.pair, "friction raises the normal force on which it depends (Painleve 1895)")
     for _ in range(SWEEPS):
         before = x.copy()
         for one in contacts:
             _relax(D, b, x, one)
         if float(np.max(np.abs(x - before), initial=0.0)) <= SETTLED * float(np.max(np.abs(x), initial=0.0)):
             break
-    v = D @ x + b
-    size = max(float(np.max(np.abs(b), initial=0.0)), 1e-300)
-    for i, one in enumerate(contacts):
+    v, rows = D @ x + b, [row for one in contacts for row in (one.n, *one.tangents)]
+    size = max(float(np.max(np.abs(b[rows]), initial=0.0)), 1e-300)
+    for one in contacts:
         if _residual(v, x, one, np.diag(D)) > SOLVED * size:
-            raise NoSolutionError(i, "no impulses agree with the impact law at all contacts")
+            raise NoSolutionError(one.pair, "no impulses agree with the impact law at all contacts")
     return x
 
 
 def _pressed(D: Array, one: Contact) -> float:
-    """Return how much a newton of normal force opens a sliding contact, with its friction."""
-    along = np.zeros(0) if one.slides is None else one.slides
-    return float(D[one.n, one.n] - one.mu * D[one.n, list(one.tangents)] @ along)
+    """Return how much a newton of normal force opens a contact, with the friction of one that slides."""
+    along = 0.0 if one.slides is None else D[one.n, one.tangents] @ one.slides
+    return float(D[one.n, one.n] - one.mu * along)
 
 
 def _relax(D: Array, b: Array, x: Array, one: Contact) -> None:
     """Solve one contact, in place, with the impulses of all others as they are."""
-    n, rows = one.n, list(one.tangents)
+    n, rows = one.n, one.tangents
+    x[n] = max(one.least, x[n] - (D[n] @ x + b[n]) / _pressed(D, one))
+    most = one.mu * x[n]
     if one.slides is not None:
-        x[n] = max(one.least, x[n] - (D[n] @ x + b[n]) / _pressed(D, one))
-        x[rows] = -one.mu * x[n] * one.slides
-        return
-    x[n] = max(one.least, x[n] - (D[n] @ x + b[n]) / D[n, n])
-    if rows:
-        block = D[np.ix_(rows, rows)]
-        held = x[rows] - np.linalg.solve(block, D[rows] @ x + b[rows]) if one.mu else np.zeros(len(rows))
-        most, size = one.mu * x[n], float(np.linalg.norm(held))
-        if size > most and len(rows) > 1 and most > 0:  # the boundary, by steps towards where sliding opposes it
-            v = D[rows] @ x + b[rows]
+        x[rows] = -most * one.slides
+    elif rows and one.mu:
+        v, block = D[rows] @ x + b[rows], D[np.ix_(rows, rows)]
+        held = x[rows] - np.linalg.solve(block, v)
+        if len(rows) > 1 and 0 < most < np.linalg.norm(held):  # the boundary, by steps towards where sliding opposes it
             held = x[rows] - v / float(np.trace(block))
-            size = float(np.linalg.norm(held))
+        size = float(np.linalg.norm(held))
         x[rows] = held if size <= most else held * (most / size)
 
 
 def _residual(v: Array, x: Array, one: Contact, inverse: Array) -> float:
     """Return by how much a contact misses its law, as a velocity."""
-    n, rows = one.n, list(one.tangents)
+    n, rows = one.n, one.tangents
     normal = abs(min(v[n], (x[n] - one.least) * inverse[n]))
     if not rows or one.slides is not None or not one.mu:
         return float(normal)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, among, shown, unknown
-from hertzwerk.runtime.analysis.rigid_limit.rigid_equations import Equations, distance_of, refused, tangent_faults
+from hertzwerk.runtime.analysis.rigid_limit.rigid_equations import Equations, distance_of, refused, rows_of
 from hertzwerk.runtime.analysis.rigid_limit.rigid_impact import RigidImpact, read_impacts
 from hertzwerk.runtime.analysis.rigid_limit.rigid_run import (
     LEAST_STEPS,
@@ -106,13 +106,9 @@ class RigidLimit(Printed, Histories):
         model = self.model
         if not model.has_function("energy"):
             return np.full(len(self.motion.t), math.nan)
-        states = ((t, y[: model.nq], y[model.nq :]) for t, y in zip(self.motion.t, self.motion.y, strict=True))
-        return np.array(
-            [
-                sum(np.sum(part) for part in model.evaluate("energy", *state, self.run.equations.bound.c)[:2])
-                for state in states
-            ]
-        )
+        c, states = self.run.equations.bound.c, zip(self.motion.t, self.motion.y, strict=True)
+        parts = (model.evaluate("energy", t, y[: model.nq], y[model.nq :], c)[:2] for t, y in states)
+        return np.array([sum(np.sum(part) for part in of) for of in parts])
 
     @property
     def impulses(self) -> tuple[RigidImpulse, ...]:
@@ -310,8 +306,7 @@ def rigid_limit(
     settings = Settings(duration, accuracy, None)
     faults += settings.faults()
     of_pairs = law if isinstance(law, Mapping) else dict.fromkeys(model.pairs, law)
-    laws = read_impacts(model, of_pairs, model.check(values)[0], faults)
-    faults += tangent_faults(model, laws)
+    contacts = read_impacts(model, of_pairs, rows_of(model), model.check(values)[0], faults)
     request, _ = read(model, Settings(duration, None, tolerance), values, wanted, faults)
     report = progress or (lambda _: None)
     share = 1 / (1 + len(factors)) if stiffness else 1.0
@@ -319,7 +314,7 @@ def rigid_limit(
 
     def run_at(tolerance: float, steps: int = LEAST_STEPS) -> RigidRun:
         run = RigidRun(
-            Equations(model, request.bound), laws, list(model.pairs), impacts == TOGETHER, request.scales.scene[:3],
+            Equations(model, request.bound), contacts, impacts == TOGETHER, request.scales.scene[:3],
             sizes, tolerance, request.seconds, steps, lambda part: report(share * part),
         )  # fmt: skip
         run.run(np.concatenate([request.q, request.u]))

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from hertzwerk.runtime.analysis.rigid_limit.rigid_equations import Equations, State
-from hertzwerk.runtime.analysis.rigid_limit.rigid_impact import BoundImpact, Contact, NoSolutionError, solved
+from hertzwerk.runtime.analysis.rigid_limit.rigid_impact import Contact, NoSolutionError, solved
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.system.arrays import Array
 
@@ -78,7 +78,7 @@ class RigidEvent:
 class Motion:
     """Motion of a scene in the rigid limit: steps, events, impulses, ends of sequences of impacts.
 
-    t (n,), y (n, nq + nu) at the ends of steps, before and after impacts
+    t (n,), y (n, nq + nu) at the ends of steps, before and after impacts; segments: end [s] and state by time of each step
     rubbed    energy [J] that friction dissipated between impacts
     work    energy [J] that drives and effects put in, less what effects dissipated; 0 without an `EnergyLedger`
     """
@@ -87,7 +87,7 @@ class Motion:
     y: list[Array] = field(default_factory=list)
     impulses: list[RigidImpulse] = field(default_factory=list)
     accumulations: list[Accumulation] = field(default_factory=list)
-    segments: list[Any] = field(default_factory=list)
+    segments: list[tuple[float, Callable[[float], Array]]] = field(default_factory=list)
     events: list[RigidEvent] = field(default_factory=list)
     rubbed: float = 0.0
     work: float = 0.0
@@ -95,9 +95,8 @@ class Motion:
 
     def at(self, times: Array) -> Array:
         """Return the states (n, nq + nu) at times within the run, after an impact at the same instant."""
-        ends = np.array([segment.t_max for segment in self.segments])
-        places = np.minimum(np.searchsorted(ends, times, side="right"), len(ends) - 1)
-        return np.array([self.segments[k](t) for k, t in zip(places, times, strict=True)])
+        places = np.searchsorted([end for end, _ in self.segments[:-1]], times, side="right")
+        return np.array([self.segments[k][1](t) for k, t in zip(places, times, strict=True)])
 
 
 @dataclass
@@ -109,8 +108,7 @@ class RigidRun:
     """
 
     equations: Equations
-    laws: Sequence[BoundImpact]
-    names: Sequence[str]
+    contacts: Sequence[Contact]
     together: bool
     scale: Array
     sizes: Array
@@ -127,24 +125,21 @@ class RigidRun:
     def run(self, y: Array) -> Motion:
         """Return the motion from a state."""
         motion, t = self.motion, 0.0
-        self.mode, self.ways = [OPEN] * len(self.names), [np.zeros(0)] * len(self.names)
+        self.mode, self.ways = [OPEN] * len(self.contacts), [np.zeros(0)] * len(self.contacts)
+        ended, which = None, 0
         try:
-            y = self._through(t, y)
-            self._keep(t, y)
-            while t < self.duration:
+            while t < self.duration and len(motion.impulses) <= MOST_IMPACTS:
+                y = self._through(t, y, ended, which)
+                self._keep(t, y)
                 t, y, ended, which = self._moved(t, y)
-                if t < self.duration:
-                    y = self._through(t, y, ended, which)
-                    self._keep(t, y)
-                if len(motion.impulses) > MOST_IMPACTS:
-                    motion.outcome = Outcome("too_many_impacts", f"{MOST_IMPACTS:,} impacts by t = {t:.9g} s",
-                                             "take a smaller restitution or a shorter duration")  # fmt: skip
-                    return motion
         except NoSolutionError as error:
-            motion.outcome = Outcome("no_rigid_solution", f"at t = {t:.9g} s, {self.names[error.contact]}: {error.why}",
+            motion.outcome = Outcome("no_rigid_solution", f"at t = {t:.9g} s, {error.pair}: {error.why}",
                                      "take less friction, or the compliant contact of the scene, which has a solution there")  # fmt: skip
             return motion
         motion.outcome = Outcome("finished", f"reached the end at t = {t:.6g} s", "")
+        if t < self.duration:
+            motion.outcome = Outcome("too_many_impacts", f"{MOST_IMPACTS:,} impacts by t = {t:.9g} s",
+                                     "take a smaller restitution or a shorter duration")  # fmt: skip
         return motion
 
     def _keep(self, t: float, y: Array) -> None:
@@ -159,7 +154,7 @@ class RigidRun:
 
     # -- at an instant -------------------------------------------------------------------------------------------------
 
-    def _through(self, t: float, y: Array, ended: int | None = None, which: int = 0) -> Array:
+    def _through(self, t: float, y: Array, ended: int | None, which: int) -> Array:
         """Return the state after an event, which the motion keeps."""
         motion, repeated, before = self.motion, self.last == (t, ended), replace(self, ways=list(self.ways))
         hit, rested = len(motion.impulses), len(motion.accumulations)
@@ -180,7 +175,7 @@ class RigidRun:
         left = self.mode[ended] if ended is not None and hit is None and self.last == (t, ended) else OPEN
         self.last = (t, ended)
         at = self.equations.at(t, y)
-        normals = [n for n, _ in self.equations.rows]
+        normals = [one.n for one in self.contacts]
         touching = [j for j, n in enumerate(normals) if j == hit or self.mode[j] != OPEN or (
             at.gap[j] <= TOUCHES * length and at.velocity[n] <= STILL * speed)]  # fmt: skip
         if any(at.velocity[normals[j]] < -STILL * speed for j in touching):
@@ -195,88 +190,67 @@ class RigidRun:
 
     def _hit(self, t: float, y: Array, touching: Sequence[int]) -> Array:
         """Return the state after the impulses of contacts that touch."""
-        speed, normals = self.scale[1], [n for n, _ in self.equations.rows]
+        contacts = [self.contacts[j] for j in touching]
         if self.together:
-            return self._impulse(t, y, touching)
+            return self._impulse(t, y, contacts)
         for _ in range(MOST_IMPACTS):
             velocity = self.equations.at(t, y).velocity
-            fastest = min(touching, key=lambda j: float(velocity[normals[j]]))
-            if velocity[normals[fastest]] >= -STILL * speed:
+            fastest = min(contacts, key=lambda one: float(velocity[one.n]))
+            if velocity[fastest.n] >= -STILL * self.scale[1]:
                 return y
             y = self._impulse(t, y, [fastest])
-        raise NoSolutionError(fastest, "impacts one by one do not come to an end")
+        raise NoSolutionError(fastest.pair, "impacts one by one do not come to an end")
 
-    def _impulse(self, t: float, y: Array, hit: Sequence[int]) -> Array:
+    def _impulse(self, t: float, y: Array, contacts: Sequence[Contact]) -> Array:
         """Return the state after the impulses of some contacts, kept in the motion's list."""
-        at, nq = self.equations.at(t, y), self.equations.model.nq
-        e = [self.laws[j].e for j in hit]
-        newton = [0.0 if self.laws[j].poisson else part for j, part in zip(hit, e, strict=True)]
-        chosen, contacts = self._contacts(hit)
-        D, v = at.D[np.ix_(chosen, chosen)], at.velocity[chosen]
-        b = v.copy()
-        for one, part in zip(contacts, newton, strict=True):
-            b[one.n] += part * min(v[one.n], 0.0)
-        impulse = self._solve(D, b, contacts, hit)
-        if any(self.laws[j].poisson and part for j, part in zip(hit, e, strict=True)):
-            back = [
-                Contact(one.n, one.tangents, one.mu, part * impulse[one.n] if self.laws[j].poisson else 0.0)
-                for j, one, part in zip(hit, contacts, e, strict=True)
-            ]
-            impulse = impulse + self._solve(D, v + D @ impulse, back, hit)
-        after = v + D @ impulse
-        for j, one in zip(hit, contacts, strict=True):
+        at = self.equations.at(t, y)
+        v, b = at.velocity, at.velocity.copy()
+        for one in contacts:
+            b[one.n] += 0.0 if one.poisson else one.e * min(v[one.n], 0.0)
+        impulse = solved(at.D, b, contacts)
+        if any(one.poisson and one.e for one in contacts):
+            back = [replace(one, least=one.e * impulse[one.n] if one.poisson else 0.0) for one in contacts]
+            impulse = impulse + solved(at.D, v + at.D @ impulse, back)
+        after = v + at.D @ impulse
+        for one in contacts:
             if impulse[one.n] > 0:
-                rows = list(one.tangents)
-                lost = -sum(impulse[row] * (v[row] + after[row]) / 2 for row in (one.n, *rows))
+                lost = -sum(impulse[row] * (v[row] + after[row]) / 2 for row in (one.n, *one.tangents))
                 self.motion.impulses.append(RigidImpulse(
-                    self.names[j], t, float(-v[one.n]), float(after[one.n]), float(impulse[one.n]),
-                    float(np.linalg.norm(impulse[rows])), float(lost)))  # fmt: skip
-        self._work(t, y, chosen, impulse)
-        y = y.copy()
-        y[nq:] += at.pushed[:, chosen] @ impulse
-        return y
+                    one.pair, t, float(-v[one.n]), float(after[one.n]), float(impulse[one.n]),
+                    float(np.linalg.norm(impulse[one.tangents])), float(lost)))  # fmt: skip
+        return self._pushed(t, y, at, impulse)
 
-    def _work(self, t: float, y: Array, rows: Sequence[int], impulses: Any) -> None:
-        """Add the work of drives at impulses along some rows."""
-        if self.equations.booked:
-            along = np.zeros(self.equations.m)
-            along[rows] = impulses
-            self.motion.work += self.equations.work(t, y, along)[1]
-
-    def _contacts(self, pairs: Sequence[int]) -> tuple[list[int], list[Contact]]:
-        """Return the rows of some pairs, and these as contacts by places in that list."""
-        chosen = [row for j in pairs for row in (self.equations.rows[j][0], *self.equations.rows[j][1])]
-        place = {row: i for i, row in enumerate(chosen)}
-        contacts = [
-            Contact(place[n], tuple(place[row] for row in tangents), self.laws[j].mu)
-            for j, (n, tangents) in ((j, self.equations.rows[j]) for j in pairs)
-        ]
-        return chosen, contacts
-
-    def _solve(self, D: Array, b: Array, contacts: Sequence[Contact], pairs: Sequence[int]) -> Array:
-        try:
-            return solved(D, b, contacts)
-        except NoSolutionError as error:
-            raise NoSolutionError(pairs[error.contact], error.why) from None
+    def _pushed(self, t: float, y: Array, at: State, impulse: Array) -> Array:
+        """Return the state after impulses along the rows, and add the work of drives at them."""
+        self.motion.work += self.equations.work(t, y, impulse)[1]
+        nq = self.equations.model.nq
+        return np.concatenate([y[:nq], y[nq:] + at.pushed @ impulse])
 
     def _accumulated(self, t: float, y: Array, at: State, hit: Sequence[int]) -> tuple[Array, State]:
-        """End sequences of impacts whose limit is next to now: these contacts are at rest from then on."""
-        self._decide(at, [j for j in hit if abs(at.velocity[self.equations.rows[j][0]]) <= STILL * self.scale[1]])
+        """End sequences of impacts whose limit is next to now: these contacts are at rest from then on.
+
+        From now to the limit they would take what the load brings less what still opens them, and so would friction.
+        """
+        speed = STILL * self.scale[1]
+        self._decide(at, [j for j in hit if abs(at.velocity[self.contacts[j].n]) <= speed])
         _, rates, _ = self._accelerations(at)
-        ended = []
-        for j in hit:
-            n = self.equations.rows[j][0]
-            opening, closing = float(at.velocity[n]), -float(rates[n])
-            if opening > STILL * self.scale[1] and closing > 0 and self.laws[j].e < 1:
-                left = 2 * opening / closing / (1 - self.laws[j].e)
+        normals, pushes = [], []
+        for one in (self.contacts[j] for j in hit):
+            opening, closing = float(at.velocity[one.n]), -float(rates[one.n])
+            if opening > speed and closing > 0 and one.e < 1:
+                left = 2 * opening / closing / (1 - one.e)
                 if left <= ACCUMULATED * self.duration or opening**2 / closing < FLAT * self.scale[0]:
-                    ended.append(j)
-                    self.motion.accumulations.append(Accumulation(self.names[j], t + left))
-        if not ended:
+                    normals.append(one.n)
+                    way, push = at.velocity[one.tangents], np.zeros(len(at.bias))
+                    push[[one.n, *one.tangents]] = [1.0, *(-one.mu * way / max(float(np.linalg.norm(way)), speed))]
+                    pushes.append(push)
+                    self.motion.accumulations.append(Accumulation(one.pair, t + left))
+        if not normals:
             return y, at
-        normals = [self.equations.rows[j][0] for j in ended]
-        self._work(t, y, normals, np.linalg.lstsq(at.D[np.ix_(normals, normals)], -at.velocity[normals])[0])
-        y = self.equations.closed(t, y, [], normals, [])
+        columns: Array = np.transpose(pushes)
+        impulse = columns @ np.linalg.lstsq(at.D[normals] @ columns, -at.velocity[normals])[0]
+        self.motion.rubbed -= float(impulse @ (at.velocity + at.D @ impulse / 2))
+        y = self._pushed(t, y, at, impulse)
         return y, self.equations.at(t, y)
 
     def _decide(self, at: State, resting: Sequence[int], slips: int | None = None) -> None:
@@ -284,48 +258,43 @@ class RigidRun:
 
         slips    pair that may not stick
         """
-        self.mode = [OPEN] * len(self.names)
-        if not resting:
-            return
-        speed = self.scale[1]
-        chosen, contacts = self._contacts(resting)
-        ways = [at.velocity[list(self.equations.rows[j][1])] for j in resting]
-        sliding = [way / np.linalg.norm(way) if np.linalg.norm(way) > STILL * speed else None for way in ways]
-        contacts = [Contact(one.n, one.tangents, one.mu, slides=way if one.mu else None)
-                    for one, way in zip(contacts, sliding, strict=True)]  # fmt: skip
-        D, b = at.D[np.ix_(chosen, chosen)], at.bias[chosen]
-        forces = self._solve(D, b, contacts, resting)
-        rates = D @ forces + b
+        self.mode = [OPEN] * len(self.contacts)
+        contacts = []
+        for one in (self.contacts[j] for j in resting):
+            size = float(np.linalg.norm(way := at.velocity[one.tangents]))
+            contacts.append(replace(one, slides=way / size if one.mu and size > STILL * self.scale[1] else None))
+        forces = solved(at.D, at.bias, contacts)
+        rates = at.D @ forces + at.bias
         self.largest = max(self.largest, WEAK * self.scale[2], float(np.max(np.abs(forces))))
-        for j, one, way in zip(resting, contacts, sliding, strict=True):
-            rows = list(one.tangents)
-            if forces[one.n] <= 0 and rates[one.n] > FORCE / 2 * self.largest * D[one.n, one.n]:
+        for j, one in zip(resting, contacts, strict=True):
+            none = FORCE / 2 * self.largest * at.D[one.n, one.n]
+            if forces[one.n] <= 0 and rates[one.n] > none:
                 continue
-            most, held = one.mu * forces[one.n], float(np.linalg.norm(forces[rows]))
-            if not rows or not one.mu or way is not None:
-                self.mode[j], self.ways[j] = SLIDES, np.zeros(len(rows)) if way is None or not one.mu else way
-            elif (j != slips or not held) and (
-                held < most * (1 - 1e-9) or np.linalg.norm(rates[rows]) <= FORCE / 2 * self.largest * D[one.n, one.n]
-            ):
+            most, held = one.mu * forces[one.n], float(np.linalg.norm(forces[one.tangents]))
+            holds = held < most * (1 - 1e-9) or np.linalg.norm(rates[one.tangents]) <= none
+            self.mode[j] = SLIDES
+            if not one.tangents or not one.mu or one.slides is not None:
+                self.ways[j] = np.zeros(len(one.tangents)) if one.slides is None else one.slides
+            elif holds and (j != slips or not held):
                 self.mode[j] = STICKS
             else:
-                self.mode[j], self.ways[j] = SLIDES, -forces[rows] / held
+                self.ways[j] = -forces[one.tangents] / held
 
     # -- between impacts -----------------------------------------------------------------------------------------------
 
     def _pushes(self, at: State) -> tuple[Array, list[int]]:
         """Return the rows (m, n) that each unknown pushes along, and the rows (n,) that they hold."""
         columns, rows = [], []
-        for j, (n, tangents) in enumerate(self.equations.rows):
+        for j, one in enumerate(self.contacts):
             if self.mode[j] == OPEN:
                 continue
             push = np.zeros(len(at.bias))
-            push[n] = 1.0
-            if self.mode[j] == SLIDES and self.laws[j].mu:
-                push[list(tangents)] = -self.laws[j].mu * self._way(j, at)
-            held = tangents if self.mode[j] == STICKS else ()
-            columns += [push, *np.eye(len(at.bias))[list(held)]]
-            rows += [n, *held]
+            push[one.n] = 1.0
+            if self.mode[j] == SLIDES and one.mu:
+                push[one.tangents] = -one.mu * self._way(j, at)
+            held = one.tangents if self.mode[j] == STICKS else []
+            columns += [push, *np.eye(len(at.bias))[held]]
+            rows += [one.n, *held]
         return np.array(columns).reshape(-1, len(at.bias)).T, rows
 
     def _accelerations(self, at: State) -> tuple[Array, Array, Array]:
@@ -343,11 +312,11 @@ class RigidRun:
         if not rows:
             return np.concatenate([by.rates, by.free])
         turned = np.zeros_like(pushes)
-        for j, (n, tangents) in enumerate(self.equations.rows):
-            if self.mode[j] == SLIDES and tangents:
-                way, v, dv = self._way(j, at), at.velocity[list(tangents)], by.velocity[list(tangents)]
+        for j, one in enumerate(self.contacts):
+            if self.mode[j] == SLIDES and one.tangents:
+                way, v, dv = self._way(j, at), at.velocity[one.tangents], by.velocity[one.tangents]
                 turn = (dv - way * (way @ dv)) / max(float(np.linalg.norm(v)), STILL * self.scale[1])
-                turned[list(tangents), rows.index(n)] = -self.laws[j].mu * turn - dmu[j] * way
+                turned[one.tangents, rows.index(one.n)] = -one.mu * turn - dmu[j] * way
         system = at.D[rows] @ pushes
         size = np.linalg.lstsq(system, -at.bias[rows], rcond=1e-12)[0]
         more = by.bias[rows] + (by.D[rows] @ pushes + at.D[rows] @ turned) @ size
@@ -356,7 +325,7 @@ class RigidRun:
 
     def _way(self, j: int, at: State) -> Array:
         """Return the direction in which a contact slides, also where it begins to."""
-        v: Array = at.velocity[list(self.equations.rows[j][1])] + STILL * self.scale[1] * self.ways[j]
+        v: Array = at.velocity[self.contacts[j].tangents] + STILL * self.scale[1] * self.ways[j]
         size = float(np.linalg.norm(v))
         return v / size if size > 0 else v
 
@@ -368,8 +337,8 @@ class RigidRun:
     def _onto(self, t: float, y: Array) -> Array:
         """Return a state on the constraints of loops and of contacts that are closed."""
         closed = [j for j, mode in enumerate(self.mode) if mode != OPEN]
-        normals = [self.equations.rows[j][0] for j in closed]
-        tangents = [row for j in closed if self.mode[j] == STICKS for row in self.equations.rows[j][1]]
+        normals = [self.contacts[j].n for j in closed]
+        tangents = [row for j in closed if self.mode[j] == STICKS for row in self.contacts[j].tangents]
         return self.equations.closed(t, y, normals, [*normals, *tangents], closed)
 
     def _moved(self, t: float, y: Array) -> tuple[float, Array, int | None, int]:
@@ -381,11 +350,11 @@ class RigidRun:
         while True:
             solver.step()
             if solver.status == "failed":
-                raise NoSolutionError(0, "no step above rounding meets the tolerance")
+                raise NoSolutionError(self.contacts[0].pair, "no step above rounding meets the tolerance")
             dense = solver.dense_output()
             event = self._first_event(dense)
             end, pair, which = (solver.t, None, 0) if event is None else event
-            self.motion.segments.append(_Segment(dense, end))
+            self.motion.segments.append((end, dense))
             self._book(dense, end)
             if event is not None:
                 y = self._onto(end, dense(end))
@@ -405,7 +374,7 @@ class RigidRun:
             after = self.margins(right, dense(right))
             crossings = [
                 (at, j, which)
-                for j in range(len(self.names))
+                for j in range(len(self.contacts))
                 for at, which in self._crossing(dense, j, left, right, before[j], after[j])
             ]
             if crossings:
@@ -419,16 +388,16 @@ class RigidRun:
         _, _, forces = self._accelerations(at)
         force, speed = FORCE * self.largest, STILL * self.scale[1]
         margins = []
-        for j, (n, tangents) in enumerate(self.equations.rows):
-            rows, mu = list(tangents), self.laws[j].mu
+        for j, one in enumerate(self.contacts):
+            pressed, rows = float(forces[one.n]) + force, one.tangents
             if self.mode[j] == OPEN:
-                margins.append((float(at.gap[j]), float(at.velocity[n])))
+                margins.append((float(at.gap[j]), float(at.velocity[one.n])))
             elif self.mode[j] == STICKS:
-                grip = mu * forces[n] - np.linalg.norm(forces[rows]) + force
-                margins.append((min(float(forces[n]) + force, float(grip)), 0.0))
+                grip = one.mu * forces[one.n] - np.linalg.norm(forces[rows]) + force
+                margins.append((min(pressed, float(grip)), 0.0))
             else:
-                slip = float(at.velocity[rows] @ self.ways[j]) + speed if rows and mu else math.inf
-                margins.append((float(forces[n]) + force, slip))
+                slip = float(at.velocity[rows] @ self.ways[j]) + speed if rows and one.mu else math.inf
+                margins.append((pressed, slip))
         return margins
 
     def _crossing(
@@ -456,26 +425,14 @@ class RigidRun:
 
     def _book(self, dense: Any, end: float) -> None:
         """Add the energies of a step, by Gauss's quadrature: of friction, and of drives and effects."""
-        rubs = any(mode == SLIDES and law.mu for mode, law in zip(self.mode, self.laws, strict=True))
+        rubs = any(mode == SLIDES and one.mu for mode, one in zip(self.mode, self.contacts, strict=True))
         if not rubs and not self.equations.booked:
             return
         half = (end - dense.t_old) / 2
         for place, weight in zip(*np.polynomial.legendre.leggauss(PARTS), strict=True):
             at = self.equations.at(t := dense.t_old + half * (1 + place), dense(t))
             forces = self._accelerations(at)[2]
-            rows = [row for _, tangents in self.equations.rows for row in tangents]
+            rows = [row for one in self.contacts for row in one.tangents]
             self.motion.rubbed -= float(half * weight * (forces[rows] @ at.velocity[rows])) if rubs else 0.0
             if self.equations.booked:
                 self.motion.work += half * weight * self.equations.work(t, dense(t), forces)[0]
-
-
-@dataclass(frozen=True)
-class _Segment:
-    """Part of a motion, up to an event or a step's end."""
-
-    dense: Any
-    t_max: float
-
-    def __call__(self, t: float) -> Array:
-        state: Array = self.dense(t)
-        return state

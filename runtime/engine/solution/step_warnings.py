@@ -165,8 +165,12 @@ class Validity(NamedTuple):
 
 
 class Words(NamedTuple):
-    """Text of a check that contacts exceed, unit of its limit, way out; both in a word; what it may lack."""
+    """Texts of a check: excess, unit of its limit, way out, both in a word, what it may lack.
 
+    excess    how far a contact is beyond its limit, a ratio
+    """
+
+    excess: Callable[[Impact, float], float]
     limited: str
     unit: str
     remedy: str
@@ -175,15 +179,19 @@ class Words(NamedTuple):
     missing: str = ""
 
 
+def _deep(impact: Impact, limit: float) -> float:
+    return impact.peak_penetration / limit
+
+
 WORDS = {
-    "yield": Words("exceed the force at the onset of yield", "N", "surfaces dent; take an elastic-plastic law (`hertzwerk laws`)",
-                   "yield", "take an elastic-plastic law", "no yield strength"),
-    "width": Words(f"exceed the depth at which they are {WIDE} of the radius wide", "m", "fit the law `power` to finite elements or measured impacts",
-                   "are wide", "fit `power` to measured impacts"),
-    "conformity": Words(f"exceed the depth at which they enclose {WIDE} rad to each side", "m",
+    "yield": Words(lambda impact, limit: impact.peak_force / limit, "exceed the force at the onset of yield", "N",
+                   "surfaces dent; take an elastic-plastic law (`hertzwerk laws`)", "yield", "take an elastic-plastic law", "no yield strength"),
+    "width": Words(_deep, f"exceed the depth at which they are {WIDE} of the radius wide", "m",
+                   "fit the law `power` to finite elements or measured impacts", "are wide", "fit `power` to measured impacts"),
+    "conformity": Words(_deep, f"exceed the depth at which they enclose {WIDE} rad to each side", "m",
                         "surfaces conform; take `persson`, or `power` fitted to finite elements", "conform", "take `persson`"),
-    "waves": Words(f"end before a wave has crossed the body {CROSSINGS} times", "s", "waves keep energy; fit the restitution to measured impacts",
-                   "are short for waves", "measure the restitution", "no density"),
+    "waves": Words(lambda impact, limit: limit / (impact.duration or math.inf), f"end before a wave has crossed the body {CROSSINGS} times", "s",
+                   "waves keep energy; fit the restitution to measured impacts", "are short for waves", "measure the restitution", "no density"),
 }  # fmt: skip
 
 
@@ -204,7 +212,7 @@ def validity(model: EngineModel, p: np.ndarray | None, impacts: Callable[[], Seq
     checks = []
     for check, known in _limits(model, p, {pair: names[pair] in LINE for pair in hertzian}).items():
         of = [
-            (_excess(check, impact, known[impact.contact]), known[impact.contact])
+            (WORDS[check].excess(impact, known[impact.contact]), known[impact.contact])
             for impact in compared
             if impact.contact in known
         ]
@@ -217,13 +225,6 @@ def validity(model: EngineModel, p: np.ndarray | None, impacts: Callable[[], Seq
     return tuple(checks)
 
 
-def _excess(check: str, impact: Impact, limit: float) -> float:
-    """Return how far a contact is beyond a limit, a ratio."""
-    if check == "waves":
-        return limit / (impact.duration or math.inf)
-    return (impact.peak_force if check == "yield" else impact.peak_penetration) / limit
-
-
 def _limits(model: EngineModel, p: np.ndarray, lines: Mapping[str, bool]) -> dict[str, dict[str, float]]:
     """Return the known limits of each check by pair: force [N], penetration [m], duration [s]."""
     kinds, radii = dict(model.module.PAIRS), model.radii(p)
@@ -232,18 +233,14 @@ def _limits(model: EngineModel, p: np.ndarray, lines: Mapping[str, bool]) -> dic
     sizes = grouped((row[3], _longest(row[4], at)) for row, at in marks if row[1].startswith("solid_"))
     limits: dict[str, dict[str, float]] = {check: {} for check in WORDS}
     for pair, line in lines.items():
-        first, *second = radii[pair]
-        if kinds[pair] in INSIDE:
-            apart = second[0] - first
-            curvature, width = first * second[0] / apart, WIDE * first
-        else:
-            apart = first + sum(second)
-            curvature = first * second[0] / apart if second else first
-            width = WIDE * curvature
+        (first, *second), inside = radii[pair], kinds[pair] in INSIDE
+        apart = second[0] - first if inside else first + sum(second)
+        curvature = first * second[0] / apart if second else first
+        width = WIDE * (first if inside else curvature)
         depth = width**2 / curvature
         if line:  # the approach of the axes, Johnson (1985), section 5.6
             depth *= (math.log(16 * curvature * apart / width**2) - 1) / 4
-        limits["conformity" if kinds[pair] in INSIDE else "width"][pair] = depth
+        limits["conformity" if inside else "width"][pair] = depth
         across = 2 * min(first, *second) if kinds[pair] in OUTSIDE and second else 2 * first
         limits["waves"][pair] = max(across, *(size for body in bodies[pair] for size in sizes.get(body, ())), 0.0)
     if model.has_function("yield_forces"):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
@@ -79,12 +80,8 @@ def _around(axis: Axes, run: EngineSolution, wear: str, lines: dict[str, Array],
     for name, of in lines.items():
         radius, outwards = (1.0, 1) if name == "bush" else (1 - APART, -1)
         axis.plot(*(radius * circle), color=GREY, linewidth=0.8, linestyle=(0, (3, 2)))
-        for i, depth in enumerate(of.T):
-            share = (i + 1) / of.shape[1]
-            r = radius + outwards * SHOWN * depth / deepest
-            axis.plot(
-                *(r * circle), color=COLOURS[name], alpha=0.2 + 0.8 * share**2, label=name if share == 1 else None
-            )
+        for depth, look in _growing(name, of):
+            axis.plot(*((radius + outwards * SHOWN * depth / deepest) * circle), **look)
     axis.set(aspect="equal", xticks=[], yticks=[], xlim=(-1.35, 1.35), ylim=(-1.35, 1.35))
     axis.grid(visible=False)
     axis.spines[:].set_visible(False)
@@ -96,14 +93,19 @@ def _around(axis: Axes, run: EngineSolution, wear: str, lines: dict[str, Array],
     axis.legend(loc="center")
 
 
+def _growing(name: str, of: Array) -> Iterator[tuple[Array, dict[str, Any]]]:
+    """Yield the depth of a surface at each instant, and how it is drawn: the last one heavy, and named."""
+    for share, depth in zip(np.linspace(0, 1, of.shape[1] + 1)[1:], of.T, strict=True):
+        yield depth, {"color": COLOURS[name], "alpha": 0.2 + 0.8 * share**2, "label": name if share == 1 else None}
+
+
 def _unrolled(axis: Axes, lines: dict[str, Array], *, track: bool) -> None:
     """Draw the depth over the angle or, downwards, along the track, one line for each instant."""
     scale = scale_of("m", max(float(of.max()) for of in lines.values()))
     places = ANGLES / (2 * np.pi) - 0.5 if track else np.degrees(ANGLES)
     for name, of in lines.items():
-        for i, depth in enumerate(of.T):
-            share = (i + 1) / of.shape[1]
-            axis.plot(places, scale(depth), color=COLOURS[name], alpha=0.2 + 0.8 * share**2)
+        for depth, look in _growing(name, of):
+            axis.plot(places, scale(depth), **look)
     axis.set_ylim(bottom=0)
     if track:
         axis.set(xlim=(-0.5, 0.5), xlabel="position along the track, from the plane's place, over its length")

@@ -64,9 +64,9 @@ class FlexibleRod(Joint):
             "stiffness": stiffness,
             "damping_ratio": damping_ratio,
             "twist_inertia": twist_inertia,
+            **({} if stiffness_z is None else {"stiffness_z": stiffness_z}),
+            **({} if section_modulus is None else {"section_modulus": section_modulus}),
         }
-        optional = {"stiffness_z": stiffness_z, "section_modulus": section_modulus}
-        quantities |= {label: value for label, value in optional.items() if value is not None}
         faults = [
             Fault(label, repr(value), "a Parameter, or an expression of them")
             for label, value in quantities.items()

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hertzwerk.runtime.analysis.hard_cases import closed_forms
 from hertzwerk.runtime.analysis.hard_cases.case import EXPLICIT, IMPLICIT, METHODS, HardCase, Known, Source, final
+from hertzwerk.runtime.analysis.rigid_limit.rigid_impact import RigidImpact
+from hertzwerk.runtime.analysis.rigid_limit.rigid_limit import RigidLimit, rigid_limit
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
@@ -185,3 +189,69 @@ CASES = (
     _falling_chain(3, long=False),
     _falling_chain(8, long=True),
 )
+
+
+# -- beside the rigid limit ----------------------------------------------------------------------------------------------
+# Across the incline a block of 1 kg falls and bounces with the restitution e of every speed: the flights end at t (1 + e)/(1 - e), t the time of
+# the first fall. Along it friction has taken by then what it takes of one that slides, as the impulses of impacts and weight are equal.
+
+SOURCE, DURATION, TOLERANCE = Source("incline_coulomb", hard=True), 1.2, 1e-8
+E, MU, HEIGHT, SPEED = closed_forms.restitution_out(closed_forms.flores(0.5)), 0.9, 0.1, 1.0
+FALL, STRIKES = math.sqrt(2 * HEIGHT / LOAD), math.sqrt(2 * HEIGHT * LOAD)  # s, m/s
+BOUNCED = FALL * (1 + E) / (1 - E)  # s
+SLOWS = (MU * LOAD - DRIVE) / MASS  # m/s^2
+LEFT = SPEED - SLOWS * BOUNCED  # m/s, as the bounces end
+WAY = (  # to the end of the bounces, each of whose impacts at t takes MU (1 + E) v (BOUNCED - t) of it, and of the slide
+    SPEED * BOUNCED
+    + DRIVE / MASS * BOUNCED**2 / 2
+    - MU / MASS * 2 * E * STRIKES**2 / LOAD / (1 - E) ** 2
+    + LEFT**2 / 2 / SLOWS
+)
+PARAMETERS: dict[str, Value] = {
+    "restitution": 0.5,
+    "friction_coefficient": MU,
+    "static_coefficient": MU,
+    "speed": (SPEED, "m/s"),
+}
+INITIAL: dict[str, Value] = {"normal.travel": (HEIGHT, "m")}
+
+
+@cache
+def _limit(mu: float) -> RigidLimit:
+    """Return the rigid limit, the same beside every method."""
+    return rigid_limit(SOURCE.load(), RigidImpact(E, mu), duration=DURATION, parameters=PARAMETERS, initial=INITIAL)
+
+
+def _of_limit(
+    quantity: str, of: Callable[[RigidLimit], float], expected: float, within: float, unit: str, source: str
+) -> Known:
+    def of_run(run: EngineSolution) -> float:
+        return of(_limit(run.settings.parameters["friction_coefficient"][0]))
+
+    return Known(f"rigid: {quantity}", of_run, expected, within, unit, source)
+
+
+BESIDE_RIGID_LIMIT = (
+    HardCase(
+        name="incline_bounces_to_rest",
+        theme="rigid limit",
+        hard="bounces down an incline that accumulate, a slide that stops, beside their rigid limit with its own invariants",
+        source=SOURCE,
+        duration=DURATION,
+        tolerance=TOLERANCE,
+        parameters=PARAMETERS,
+        initial=INITIAL,
+        known=(
+            _of_limit("end of bounces", lambda run: run.accumulations[0].t, BOUNCED, 1e-12, "s", "t (1 + e)/(1 - e)"),
+            _of_limit("final speed", lambda run: float(run["downhill.speed"][-1]), 0, 0, "m/s", "it sticks"),
+            _of_limit("final travel", lambda run: float(run["downhill.travel"][-1]), WAY, 1e-10, "m", "sum of bounces and slide"),
+            _of_limit("energy", lambda run: run.balance / run.energy[0], 0, 1e-9, "1", "10 tolerance"),
+            _of_limit("rise of energy", lambda run: float(np.diff(run.energy).max()) / run.energy[0], 0, 1e-9, "1", "nothing drives it"),
+            _of_limit("depth", lambda run: float(-run.gaps(run.t).min()), 0, 1e-12, "m", "rigid surfaces"),
+            _of_limit("not finite", lambda run: float(np.sum(~np.isfinite(run.motion.y))), 0, 0, "1", "states"),
+            _of_limit("steps", lambda run: len(run.t) / 134, 1, 0.5, "1", "134 measured"),
+            final("downhill.speed", 0, 0, "it sticks"),
+            final("downhill.travel", WAY, 5e-5, "the rigid limit, but for the time that impacts last"),
+        ),
+    ),
+)  # fmt: skip

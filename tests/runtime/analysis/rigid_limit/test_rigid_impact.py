@@ -29,7 +29,7 @@ def test_impulses_without_friction_are_those_of_an_enumeration():
     for _ in range(50):
         count = int(rng.integers(1, 6))
         D, b = inverse_inertia(rng, count), rng.standard_normal(count)
-        x = solved(D, b, [Contact(i, (), 0.0) for i in range(count)])
+        x = solved(D, b, [Contact("pair", i, [], 0.0) for i in range(count)])
         assert x == pytest.approx(enumerated(D, b), abs=1e-9)
 
 
@@ -41,7 +41,7 @@ def test_friction_holds_or_opposes_the_sliding_with_all_that_it_may(tangents):
             inverse_inertia(rng, 1 + tangents) + np.eye(1 + tangents), rng.standard_normal(1 + tangents), rng.uniform(0.05, 0.4),
         )  # fmt: skip
         b[0] = -abs(b[0])
-        x = solved(D, b, [Contact(0, tuple(range(1, 1 + tangents)), mu)])
+        x = solved(D, b, [Contact("pair", 0, [*range(1, 1 + tangents)], mu)])
         v = D @ x + b
         held, slip = np.linalg.norm(x[1:]), np.linalg.norm(v[1:])
         assert x[0] > 0 and abs(v[0]) < 1e-10
@@ -55,5 +55,7 @@ def test_a_contact_that_friction_jams_has_no_impulse():
         [[1.0, 2.0], [2.0, 5.0]]
     )  # a newton of friction along its way closes the contact by more than one of pressure opens
     with pytest.raises(NoSolutionError, match="Painleve"):
-        solved(jam, np.array([-1.0, 0.0]), [Contact(0, (1,), 0.6, slides=np.array([1.0]))])
-    assert solved(jam, np.array([-1.0, 0.0]), [Contact(0, (1,), 0.4, slides=np.array([1.0]))])[0] == pytest.approx(5)
+        solved(jam, np.array([-1.0, 0.0]), [Contact("pair", 0, [1], 0.6, slides=np.array([1.0]))])
+    assert solved(jam, np.array([-1.0, 0.0]), [Contact("pair", 0, [1], 0.4, slides=np.array([1.0]))])[
+        0
+    ] == pytest.approx(5)

@@ -320,6 +320,11 @@ def test_bad_input_lists_every_fault():
     text = str(error.value)
     for fault in ("restitution of floor", "mas", "stokes", "impacts", "factors", "K:"):
         assert fault in text
+    with pytest.raises(
+        InputError,
+        match=r"restitution of floor: found mass, a parameter in kg; expected one without a unit: .*restitution",
+    ):
+        rigid_limit("bouncing_ball", RigidImpact("mass"), duration="1 s")
     with pytest.raises(InputError, match="no tangents"):
         rigid_limit("bouncing_ball", RigidImpact(0.5, 0.1), duration="1 s")
     with pytest.raises(InputError, match="floor"):
