@@ -17,8 +17,10 @@ def write_notebooks(folder: Path) -> list[str]:
     """Write a notebook for each lesson into a folder; return the names of the files."""
     lessons = sorted((SOURCE / "tutorial").glob("lesson-*.md"))
     for lesson in lessons:
-        content = json.dumps(notebook(lesson.read_text(encoding="utf-8")), indent=1, ensure_ascii=False)
-        (folder / f"{lesson.stem}.ipynb").write_text(content + "\n", encoding="utf-8")
+        (folder / f"{lesson.stem}.ipynb").write_text(
+            json.dumps(notebook(lesson.read_text(encoding="utf-8")), indent=1, ensure_ascii=False) + "\n",
+            encoding="utf-8",
+        )
     return [f"{lesson.stem}.ipynb" for lesson in lessons]
 
 
@@ -32,8 +34,10 @@ def notebook(page: str) -> dict[str, Any]:
             cells.append(_cell("code", code_of(block)))
     for number, cell in enumerate(cells):
         cell["id"] = f"cell-{number}"
-    kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
-    metadata = {"kernelspec": kernel, "language_info": {"name": "python"}}
+    metadata = {
+        "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+        "language_info": {"name": "python"},
+    }
     return {"nbformat": 4, "nbformat_minor": 5, "metadata": metadata, "cells": cells}
 
 

@@ -75,9 +75,8 @@ def _draw_all(stage: Path, progress: Callable[[float], object], *, pictures: boo
     from PIL import Image
 
     blank = Image.new("L", (1, 1), "white")
-    for page, names in shown.items():
-        for name in names:
-            blank.save(page.parent / name, "png")
+    for place in (page.parent / name for page, names in shown.items() for name in names):
+        blank.save(place, "png")
 
 
 def _draw(page: Path, names: list[str]) -> None:

@@ -27,14 +27,14 @@ def handbook(pages: Path | None, notebooks: Path | None, links: bool) -> int:
     The text is Markdown and part of the installation. `--build` makes web pages of it, with pictures, in a minute; that
     needs `pip install "hertzwerk[docs]"`. Pages that were built are opened from then on. They need no network.
     """
-    from hertzwerk.runtime.handbook.web_pages import SOURCE
-
     refuse("handbook", [*unwritable_faults(pages, wanted=False), *unwritable_faults(notebooks, wanted=False)])
     if notebooks is not None:
         _write_notebooks(notebooks)
     if pages is not None or links:
         return max(_build(pages) if pages is not None else GOOD, _check_links() if links else GOOD)
     if notebooks is None:
+        from hertzwerk.runtime.handbook.web_pages import SOURCE
+
         built = _built()
         line("pages" if built else "text", str(built or SOURCE / "index.md"))
         if built is None:
@@ -46,11 +46,6 @@ def handbook(pages: Path | None, notebooks: Path | None, links: bool) -> int:
 
 def _build(out: Path) -> int:
     """Build the pages into a new folder, and remember where."""
-    from hertzwerk.runtime.cli import main
-    from hertzwerk.runtime.handbook.web_pages import build
-    from hertzwerk.runtime.system import cache
-    from hertzwerk.runtime.system.result_folder import new_folder
-
     warnings: list[str] = []
 
     def fill(folder: Path) -> list[str]:
@@ -58,6 +53,11 @@ def _build(out: Path) -> int:
         return ["index.html"]
 
     with Progress("handbook") as progress:
+        from hertzwerk.runtime.cli import main
+        from hertzwerk.runtime.handbook.web_pages import build
+        from hertzwerk.runtime.system import cache
+        from hertzwerk.runtime.system.result_folder import new_folder
+
         folder, files = new_folder("handbook", out, fill)
     index = (folder / files[0]).resolve()
     cache.keep(_key(), ".txt", str(index).encode())
