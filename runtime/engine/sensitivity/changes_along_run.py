@@ -29,9 +29,10 @@ Renew = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 @dataclass(frozen=True)
 class Followed:
-    """Changes of states y and memory m, P columns, at the rows of a run.
+    """Changes of states y, memory m and a shift of time, P columns, at the rows of a run.
 
-    after (rows, n, P)      just after the event where a row follows one; nan beyond `until`
+    after (rows, n, P)      at a fixed time since the last event (`step_chain`); nan beyond `until`
+    slopes (rows, ny)       dy/dt there
     apart (rows - 1,)       whether a step was solved apart
     switched (rows,)        whether a row follows an event
     jumps, at_rows (rows,)  the events, and the one that each row follows, or -1
@@ -42,6 +43,7 @@ class Followed:
     """
 
     after: np.ndarray
+    slopes: np.ndarray
     apart: np.ndarray
     switched: np.ndarray
     jumps: Jumps
@@ -51,6 +53,13 @@ class Followed:
     determined: int
     until: float
     reason: str
+
+
+def at_fixed_time(changes: np.ndarray, slopes: np.ndarray) -> np.ndarray:
+    """Return the changes (j, ny + nm, P) at a fixed time of the run, where dy/dt is `slopes` (j, ny)."""
+    fixed = changes[:, :-1].copy()
+    fixed[:, : slopes.shape[1]] -= slopes[:, :, None] * changes[:, -1:]
+    return fixed
 
 
 def follow(
@@ -70,15 +79,17 @@ def follow(
     """
     rows, sizes = len(history.rows), history.engine.layouts.state.sizes
     ny, floor = sizes["y"], _floor_changes(history, directions)
-    first = np.zeros((ny + history.model.nm, directions.count))
+    first = np.zeros((ny + history.model.nm + 1, directions.count))
     first[: len(begin)] = begin
-    _latch(history, directions, floor, first[:ny], first[ny:], stated)
+    _latch(history, directions, floor, first[:ny], first[ny:-1], stated)
     after_event = switched(history)
     if compiled and after_event[1:].any():
         use_compiled(tables_of_events(history, directions.count))
     jumps = events_of(history, after_event, directions)
     at_rows = np.full(rows, -1)
     at_rows[jumps.rows], maps = np.arange(len(jumps.rows)), jumps.maps(floor)
+    slopes = history.part("dy").copy()
+    slopes[jumps.rows] = jumps.slopes[1]
     h = np.diff(history.t)
     over = partial(transitions, history, switched=after_event, directions=directions)
     changes = chained(
@@ -90,7 +101,7 @@ def follow(
         directions,
         switched=after_event,
         compiled=compiled,
-        renew=renew,
+        renew=partial(_renewed, renew, slopes) if renew else None,
         most=most,
     )
     length, speed, *_ = history.controls[history.engine.layouts.controls["scales"]]
@@ -106,7 +117,15 @@ def follow(
     times[determined:], then[determined:] = np.nan, np.nan
     times[jumps.stops] = np.nan  # the direction of what stops in two is rounding at that instant, and so is its change
     until = float(history.t[last] if reason else history.t[-1])
-    return Followed(changes.after, changes.apart, after_event, jumps, at_rows, times, then, determined, until, reason)
+    return Followed(
+        changes.after, slopes, changes.apart, after_event, jumps, at_rows, times, then, determined, until, reason
+    )
+
+
+def _renewed(renew: Renew, slopes: np.ndarray, index: np.ndarray, x: np.ndarray) -> np.ndarray:
+    """Return what renews changes (l, P, n) at rows, as changes at a fixed time of the run."""
+    fixed = at_fixed_time(x.swapaxes(1, 2), slopes[index]).swapaxes(1, 2)
+    return np.pad(renew(index, fixed), ((0, 0), (0, 1)))
 
 
 def _floor_changes(history: History, directions: Directions) -> np.ndarray:

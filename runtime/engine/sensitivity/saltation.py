@@ -5,7 +5,8 @@ dt = -(g_y S + g_m M + g_c dc)/(dg/dt), and where the right-hand side or the sta
 
     S+ = R_y (S + f- dt) + R_t dt + R_c dc - f+ dt
 
-with the reset R and the right-hand sides f-, f+ before and after. The latched approach speed is a reset too. Where field
+with the reset R and the right-hand sides f-, f+ before and after. The last term becomes a shift of time until the next
+event, where the equations allow it (`step_chain`). The latched approach speed is a reset too. Where field
 and state are continuous nothing jumps. Aizerman, Gantmacher, Quart. J. Mech. Appl. Math. 11 (1958) 225; Leine, Nijmeijer,
 Dynamics and Bifurcations of Non-Smooth Mechanical Systems (2004), chapter 7.
 
@@ -31,7 +32,15 @@ from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.sensitivity.step_chain import along, methods_of
-from hertzwerk.runtime.engine.sensitivity.tangent import ARGUMENTS, PARTS, Directions, Tangent, rowwise, tangent
+from hertzwerk.runtime.engine.sensitivity.tangent import (
+    ARGUMENTS,
+    PARTS,
+    Directions,
+    Tangent,
+    moves_with_events,
+    rowwise,
+    tangent,
+)
 from hertzwerk.runtime.engine.solution.history import History, steps_of
 from hertzwerk.runtime.system.lazy import cached_property
 
@@ -67,6 +76,7 @@ class Jumps:
     rested, stops (j,)      values and derivatives of `rested` after the events, and whether a pair came to rest in two directions
     places                  rows of `at` by name
     ledgers                 row of the state, and the pair whose stored energy is added to it
+    moving                  whether changes after them are those at a fixed time since them
     """
 
     rows: np.ndarray
@@ -82,6 +92,7 @@ class Jumps:
     stops: np.ndarray
     places: dict[str, slice]
     ledgers: tuple[tuple[int, int], ...]
+    moving: bool
 
     @cached_property
     def speed(self) -> np.ndarray:
@@ -97,7 +108,8 @@ class Jumps:
     @cached_property
     def change(self) -> np.ndarray:
         """Maps (j, size, n + P) to the changes of what is watched, at fixed time."""
-        return np.concatenate([self.at.to_state, self.at.to_memory, self.at.by_constants], axis=2)
+        shift = -self.at.to_state @ self.slopes[0][:, :, None]
+        return np.concatenate([self.at.to_state, self.at.to_memory, shift, self.at.by_constants], axis=2)
 
     @cached_property
     def time(self) -> np.ndarray:
@@ -121,10 +133,11 @@ class Jumps:
         floor (P,): change of the least approach speed
         """
         (before, after), time = self.slopes, self.time[:, None]
-        (events, ny), n = before.shape, before.shape[1] + self.at.to_memory.shape[2]
+        (events, ny), n = before.shape, before.shape[1] + self.at.to_memory.shape[2] + 1
         maps = np.zeros((events, n, n + len(floor)))
         maps[:, np.arange(n), np.arange(n)] = 1
-        state, memory = maps[:, :ny], maps[:, ny:]
+        state, memory = maps[:, :ny], maps[:, ny:-1]
+        state[:, :, n - 1] = -before
         state += before[:, :, None] * time
         for row, pair in self.ledgers:
             state[:, row] += self.booked[:, [pair]] * self.then[:, self.places["stored"].start + pair]
@@ -132,13 +145,15 @@ class Jumps:
         if self.moved.any():
             jumped = self.places["jumped"]
             state[self.moved, : jumped.stop - jumped.start] = self.then[self.moved, jumped]
-        state -= after[:, :, None] * time
         for latch, of in enumerate(self.latched.T):
             memory[of >= 0, latch] = -self.then[of >= 0, of[of >= 0]]
             memory[of == FLOORED, latch] = np.append(np.zeros(n), floor)
+        maps[:, -1] = self.time if self.moving else 0
+        if not self.moving:
+            state -= after[:, :, None] * time
         # the margin tells that sliding ends along the slip; across it, friction has held it to a straight end
         held = self.rested[self.stops]
-        stopped = np.concatenate([held.to_state, held.to_memory], axis=2) @ maps[self.stops]
+        stopped = np.concatenate([held.to_state, held.to_memory, held.to_time[:, :, None]], axis=2) @ maps[self.stops]
         stopped[:, :, n:] += held.by_constants
         state[self.stops] = stopped
         return maps
@@ -241,6 +256,7 @@ def events_of(history: History, after: np.ndarray, directions: Directions) -> Ju
         graze=(by_gap & (rate**2 <= 2 * np.abs(acceleration) * near)).any(axis=1),
         places=places,
         ledgers=tuple((model.nq + model.nu + row, pair) for pair, row in enumerate(booked)),
+        moving=moves_with_events(model),
     )
 
 

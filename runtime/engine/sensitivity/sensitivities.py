@@ -31,7 +31,7 @@ from hertzwerk.runtime.engine.model.free_quantities import derivative_faults, qu
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.si_values import ratio
-from hertzwerk.runtime.engine.sensitivity.changes_along_run import follow
+from hertzwerk.runtime.engine.sensitivity.changes_along_run import at_fixed_time, follow
 from hertzwerk.runtime.engine.sensitivity.readout import Readout
 from hertzwerk.runtime.engine.sensitivity.saltation import watched_columns
 from hertzwerk.runtime.engine.sensitivity.step_chain import along, later
@@ -210,7 +210,10 @@ class Sensitivities:
         """
         history, layout = self.history, self.history.engine.layouts.controls
         n = history.model.nq + history.model.nu
-        changes = np.abs(self._followed.after[:, :n]) / history.controls[layout["scale"]][:n, None]
+        followed = self._followed
+        changes = (
+            np.abs(at_fixed_time(followed.after, followed.slopes)[:, :n]) / history.controls[layout["scale"]][:n, None]
+        )
         sizes = changes.max(axis=1, initial=0.0)
         of_states = ~self._directions.dp.any(axis=0)
         sizes *= np.where(of_states, 1 / np.where(of_states & (sizes[0] > 0), sizes[0], 1), self._directions.sizes)
@@ -270,8 +273,10 @@ class Sensitivities:
                 history, index[moves], h[moves], after[moves], self._directions.dc, self._followed.switched
             )
         rows = history.later(history.rows[index], h)
+        slopes = np.where(h[:, None] > 0, history.of(rows).part("dy"), self._followed.slopes[index])
+        fixed = at_fixed_time(after, slopes)
         at = tangent(Readout(name), history, rows, self._directions)
-        return at.along(after[:, :ny], after[:, ny:])[:, 0]
+        return at.along(fixed[:, :ny], fixed[:, ny:])[:, 0]
 
     def _onset(self, quantity: str, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
         """Return the changes (n, P) of times or approach speeds of onsets before rows of the run."""
@@ -311,9 +316,11 @@ class Sensitivities:
     def _just_after(self, name: str, rows: np.ndarray) -> np.ndarray:
         """Return the changes (n, P) of a history just after the events before rows, whose times change too."""
         event, ny = self._followed.at_rows[rows], self.history.engine.layouts.state.sizes["y"]
-        derivative = tangent(Readout(name), self.history, self.history.rows[rows], self._directions)
-        rate, changes = derivative.rate(self.history.part("dy")[rows])[:, 0], self._followed.after[rows]
-        there = derivative.along(changes[:, :ny], changes[:, ny:])[:, 0] + rate[:, None] * self._followed.times[event]
+        at, changes = (
+            tangent(Readout(name), self.history, self.history.rows[rows], self._directions),
+            self._followed.after[rows],
+        )
+        there = at.along(changes[:, :ny], changes[:, ny:-1])[:, 0] + at.to_time * self._followed.times[event]
         return np.where(event[:, None] >= 0, there, np.nan)
 
     def _column(self, to: str) -> int:

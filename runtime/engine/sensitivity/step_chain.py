@@ -1,9 +1,13 @@
 """Changes of a run's states from step to step, as one chain of links in the graph.
 
-X = (S, M) are the changes (n, P) of the state (ny) and of the memory (nm). A link is one step, X -> X', or a linear map,
-X -> E X + G: the jump at an event, or a step whose variational equation is solved apart (`transitions`).
+X = (S, M, T) are the changes (n, P) of the state (ny), of the memory (nm), and a shift of time. A link is one step, X -> X',
+or a linear map, X -> E X + G: the jump at an event, or a step whose variational equation is solved apart (`transitions`).
 
-Over a step S' = f_y S + f_m M + f_c dc is solved with the state, from where the run was, by a method of the kind that it
+S are changes at a fixed time since the last event, which comes later by T. At a fixed time of the run they are S - f T.
+Impacts in S do not move in time, so S does not grow and shrink with the accelerations in them. T is 0 where equations may
+jump at a time of their own (`moves_with_events`).
+
+Over a step S' = f_y S + f_m M + f_t T + f_c dc is solved with the state, from where the run was, by a method of the kind that it
 took: `dopri5`, else `dop853`; behind implicit steps `esdirk`, at whose stages systems with their own Jacobian are solved for
 all columns. Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.6 and I.14 (internal differentiation;
 Bock 1981).
@@ -29,6 +33,7 @@ from hertzwerk.runtime.engine.integration.tableaux.implicit_tableaux import ITER
 from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
+from hertzwerk.runtime.engine.sensitivity.tangent import moves_with_events
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
@@ -40,7 +45,7 @@ WIDTH = 16  # most columns at once: they share the motion, but code grows with t
 PARTS = ("t", "y", "mode", "m", "pieces")  # of a row: all that a step of it needs
 PASSES = 4  # over some links, at most: steps found too coarse are solved apart in the next one
 COARSE, LEAST = (
-    1e5,
+    1e3,
     1e-7,
 )  # of tolerances, or of one: a step's estimated error, of a derivative, beyond which it is too coarse
 BESIDE, ROUGH = (
@@ -108,7 +113,7 @@ def methods_of(history: History) -> tuple[int, ...]:
 
 def _arguments(integrator: Integrator, columns: Columns) -> list[Any]:
     sizes, count, changed = integrator.layouts.state.sizes, len(columns), sum(map(len, columns))
-    n = sizes["y"] + sizes["m"]
+    n = sizes["y"] + sizes["m"] + 1
     row = 2 + sum(sizes[part] for part in PARTS)
     shapes = [(n, count), (row, 1), (n, n + count), (integrator.layouts.controls.size, 1), (changed, 1)]
     names = ("x", "row", "linear", "controls", "dc")
@@ -119,7 +124,8 @@ def _arguments(integrator: Integrator, columns: Columns) -> list[Any]:
 class _Begin:
     """A link's arguments, and what a step from there is taken of.
 
-    h, even: as in `links_after`; start: parts of the row; run: numbers of the run; c: constants of the step; S, M, dc: changes
+    h, even: as in `links_after`; start: parts of the row; run: numbers of the run; c: constants of the step; S, M, dc: changes,
+    M with the shift of time
     """
 
     arguments: Sequence[Any]
@@ -134,17 +140,17 @@ class _Begin:
 
     def within(self, node: float) -> tuple[Any, Any]:
         """Return the time at a node of a step, and its rate by s."""
-        even, h = self.even, self.h
-        return self.start["t"] + h * (even * node + (1 - even) * node**2), h * (even + 2 * (1 - even) * node)
+        share, pace = quadratic(self.even, node)
+        return self.start["t"] + self.h * share, self.h * pace
 
     @property
     def weights(self) -> Any:
         """Weights (1, ny) of squares, in the states' scales."""
         return (1 / self.run["scale"]).T ** 2
 
-    def squares(self, error: Any, end: Any) -> Any:
-        """Return squares (P, 2) of errors, given as such, and of changes at the end."""
-        return ca.vertcat(error, ca.mtimes(self.weights, end**2)).T
+    def results(self, error: Any, end: Any) -> list[Any]:
+        """Return the changes at the end, and squares (P, 2) of errors, given as such, and of changes."""
+        return [ca.vertcat(end, self.M), ca.vertcat(error, ca.mtimes(self.weights, end**2)).T]
 
 
 def _begin(integrator: Integrator, columns: Columns) -> _Begin:
@@ -182,7 +188,7 @@ def _explicit(integrator: Integrator, taken: RungeKutta, contacts: Contacts, col
     error = (
         first * first / (first + 0.01 * second[0] + 1e-300) if second else first
     )  # the square of that in `explicit_step`
-    step = ca.Function("step", at.arguments, [ca.vertcat(end[:, 1:], at.M), at.squares(error, end[:, 1:])])
+    step = ca.Function("step", at.arguments, at.results(error, end[:, 1:]))
     return step.expand() if len(table.b) * stage.n_instructions() <= SHORT else step
 
 
@@ -220,9 +226,8 @@ def _implicit(integrator: Integrator, contacts: Contacts, columns: Columns) -> A
         solved *= solves(own, step, solution, sources)
         slopes.append(w / table.gamma)
         changes.append(solution / table.gamma)
-    end = S + solution
     error = ca.mtimes(at.weights, _combined(table.error.weights, changes) ** 2)
-    results = [ca.vertcat(end, at.M), at.squares(ca.if_else(ca.logic_and(solved, last <= 1), error, np.inf), end)]
+    results = at.results(ca.if_else(ca.logic_and(solved, last <= 1), error, np.inf), S + solution)
     return ca.Function("implicit_step", at.arguments, results)
 
 
@@ -240,21 +245,22 @@ def _stage(model: EngineModel, contacts: Contacts, columns: Columns) -> Any:
 
 @per_model
 def _changes(model: EngineModel, contacts: Contacts, columns: Columns) -> Any:
-    """Build the function (t, y, mode, m, c, S, M, dc) -> rates of S: of two ways the shorter.
+    """Build the function (t, y, mode, m, c, S, M with T, dc) -> rates of S: of two ways the shorter.
 
     Forward along the columns costs each of them some times the rates; by Jacobians it is little but their nonzeros.
     """
-    _, y, _, m, c = arguments = model.symbols("t y mode m c")
+    t, y, _, m, c = arguments = model.symbols("t y mode m c")
     fixed, count = model.npieces if model.inputs else 0, len(columns)  # inputs are given, and do not change
-    S, M = (ca.SX.sym(name, part.numel(), count) for name, part in (("S", y), ("M", m)))
+    S, M = (ca.SX.sym(name, part.numel(), count) for name, part in (("S", y), ("M", ca.vertcat(m, t))))
+    known = slice(None) if moves_with_events(model) else slice(m.numel())  # without T
     rows, of = [row for rows in columns for row in rows], [k for k, rows in enumerate(columns) for _ in rows]
     dc = ca.SX.sym("dc", len(rows))
     of_constants = ca.SX(ca.Sparsity.triplet(model.nc, count, rows, of), dc)
     of_constants = ca.vertcat(of_constants[: model.nc - fixed, :], ca.SX(fixed, count))
     rates, by, along = (
         written_flow(model, contacts).rates(*arguments),
-        ca.vertcat(y, m, c),
-        ca.vertcat(S, M, of_constants),
+        ca.vertcat(y, ca.vertcat(m, t)[known, :], c),
+        ca.vertcat(S, M[known, :], of_constants),
     )
     ways = [ca.jtimes(rates, by, along)]
     if count > 1 and written_flow(model, contacts).rates.n_instructions() <= SMALL:
@@ -415,22 +421,35 @@ def links_after(history: History, index: np.ndarray | slice, h: np.ndarray, swit
     switched (rows,): whether a row follows an event
 
     The time within a step is t + h (a s + (1 - a) s^2), 0 <= s <= 1. In contact, a is such that it is the square of a linear
-    function from the nearer event: forces like d^1.5 are smooth functions of s up to the surface. In flight it is 1.
+    function from the nearer event: forces like d^1.5 are smooth functions of s up to the surface. In flight a is 1.
     """
-    layout, t = history.engine.layouts.state, history.t
+    layout = history.engine.layouts.state
     kinds, method, *parts = (history.rows[:, layout[part]][index] for part in ("class", "method", *PARTS))
-    touching, methods = kinds[:, 0] > IN_FLIGHT, methods_of(history)
+    methods = methods_of(history)
     if len(methods) > 1:
         kinds = kinds + len(contact_classes(history.model)) * np.searchsorted(methods, method) * (kinds > IDLE)
+    (even,) = evenness(history, index, h, switched, powers=(0.5,))
+    return np.column_stack([kinds, h, even, *parts])
+
+
+def evenness(
+    history: History, index: np.ndarray | slice, h: np.ndarray, switched: np.ndarray, powers: tuple[float, ...]
+) -> list[np.ndarray]:
+    """Return a (n,) of `quadratic` for powers: that of the time from the nearer event is linear in s."""
+    t = history.t
     events = t[switched]
     place = np.searchsorted(events, t[index], side="right")
     before, after = t[index] - events[place - 1], np.append(events, np.inf)[place] - t[index]
     nearer = before < after - h
-    first, last = np.where(nearer, before, after), np.where(nearer, before + h, after - h)
-    root, other = np.sqrt(first), np.sqrt(np.maximum(last, 0))
-    curved = touching & np.isfinite(first) & (root + other > 0)
-    even = np.where(curved, 2 * root / np.where(curved, root + other, 1), 1)
-    return np.column_stack([kinds, h, even, *parts])
+    first, last = np.where(nearer, before, after), np.where(nearer, before + h, np.maximum(after - h, 0))
+    curved = (history.part("class")[index, 0] > IN_FLIGHT) & np.isfinite(first) & (first + last > 0)
+    first, last = np.where(curved, first, 1), np.where(curved, last, 1)
+    return [2 * first**power / (first**power + last**power) for power in powers]
+
+
+def quadratic(even: Any, s: Any) -> tuple[Any, Any]:
+    """Return the share a s + (1 - a) s^2 of a step's time at s, 0 <= s <= 1, and its rate by s."""
+    return even * s + (1 - even) * s**2, even + 2 * (1 - even) * s
 
 
 class _Call:

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass
+from functools import reduce
+from operator import or_
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -141,6 +143,38 @@ def rowwise(model: EngineModel, build: Callable[[EngineModel], Any], count: int)
     both, rest = ca.SX.sym("both", size * (1 + count)), [*rest, *pieces]
     split = *ca.vertsplit(both[:size], [0, model.nc, size]), ca.reshape(both[size:], size, count)
     return Rowwise(ca.Function("tangent_at", [both, *rest], made.call([*split, *rest])), constant=0)
+
+
+_JUMPING = (
+    ca.OP_LT,
+    ca.OP_LE,
+    ca.OP_EQ,
+    ca.OP_NE,
+    ca.OP_SIGN,
+    ca.OP_FLOOR,
+    ca.OP_CEIL,
+    ca.OP_FMOD,
+    ca.OP_COPYSIGN,
+    ca.OP_CALL,
+)
+
+
+@per_model
+def moves_with_events(model: EngineModel) -> bool:
+    """Return whether the rates jump at no time of their own: changes may be taken since an event."""
+    function = rates(model)
+    by_time, by_state = 1, 2
+    of_input, depends = (by_time, by_state, 0, by_state), [0] * function.sz_w()
+    for k in range(function.n_instructions()):
+        operation, to = function.instruction_id(k), function.instruction_output(k)
+        of = function.instruction_input(k)
+        if operation == ca.OP_INPUT:
+            depends[to[0]] = of_input[of[0]] if of[0] < len(of_input) else 0
+        elif operation != ca.OP_OUTPUT:
+            depends[to[0]] = reduce(or_, (depends[i] for i in of), 0)
+            if operation in _JUMPING and depends[to[0]] == by_time:
+                return False
+    return not model.inputs  # which may jump
 
 
 @per_model
