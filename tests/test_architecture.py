@@ -299,7 +299,7 @@ def test_only_build_opens_the_door_to_derive_and_lazily():
 HOMES = {
     ("matplotlib",): ("output/plots/", "output/drawings/", "output/films/", "plot_"),
     ("click", "rich"): ("cli/",),
-    ("pydantic",): ("scenario.py", "sweep_file.py"),
+    ("pydantic",): ("scenario.py", "definition_file.py"),
 }
 
 

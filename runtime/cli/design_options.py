@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from inspect import signature
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.faults import Fault, refuse, shown, unknown
-from hertzwerk.derive.common.toml_file import read_toml
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.runtime.cli.target_options import Variation, assignments, beside, run_settings
 from hertzwerk.runtime.system.digests import record_text
 
@@ -22,7 +20,6 @@ def definition(
     options: Mapping[str, Any],
     own: Callable[[list[Fault]], dict[str, Any]],
     function: Callable[..., Any],
-    required: tuple[str, ...],
 ) -> dict[str, Any]:
     """Return the arguments of a function, of a TOML file or of options; raises InputError.
 
@@ -31,11 +28,9 @@ def definition(
     faults: list[Fault] = []
     if target.endswith(".toml"):
         refuse(target, beside(target, "the whole definition there", "target", "out", "file", "as_json"))
-        arguments = read_definition(Path(target), function, required)
-        from hertzwerk.runtime.loading import engine_model
+        from hertzwerk.runtime.studies.sweeps.definition_file import read_definition_file  # imports pydantic
 
-        variation = {name: arguments.pop(name) for name in ("without", "laws", "coordinates") if name in arguments}
-        return {"target": engine_model(arguments.pop("target"), **variation), **arguments}
+        return read_definition_file(Path(target), function)
     arguments = own(faults)
     varied = Variation.taken(target, dict(options))
     model = varied.model(faults)
@@ -79,29 +74,3 @@ def keep(result: Propagated | Minimum, folder: Path, name: str, missing: list[st
     write(folder / f"{name}.json", record_text(content).encode(), overwrite=True)
     missing += failures_of(f"{name}.png", lambda: result.plot().savefig(folder / f"{name}.png"))
     return folder, [f"{name}.json", *([] if missing else [f"{name}.png"])]
-
-
-# -- files that define a propagation or a minimisation: TOML with the keys of the function -----------------------------
-
-
-OF_SCENE = ("without", "laws", "coordinates")
-NOT_IN_FILES = ("functions", "compiled", "workers", "client", "out", "widen", "progress")
-
-
-def read_definition(path: Path, function: Callable[..., Any], required: tuple[str, ...]) -> dict[str, Any]:
-    """Return the arguments of a function, and the target with its variation, that a file states.
-
-    Files are named relative to its folder. Raises InputError for keys that are unknown or missing; what values mean is
-    checked by the function.
-    """
-    from hertzwerk.runtime.studies.sweeps.sweep_file import located_arguments  # imports pydantic
-
-    content = read_toml(path, ", ".join(required))
-    known = (*OF_SCENE, *(name for name in signature(function).parameters if name not in NOT_IN_FILES))
-    faults = [unknown("key", name, known) for name in content if name not in known]
-    faults += [Fault(name, "none", f"a file with {', '.join(required)}") for name in required if name not in content]
-    target = content.get("target", "")
-    if not isinstance(target, str):
-        faults.append(Fault("target", shown(target), "the name of a scene, or its file"))
-    refuse(str(path), faults)
-    return located_arguments({**content, "target": target}, path.parent)

@@ -15,7 +15,10 @@ from typing import Any
 
 from hertzwerk.runtime.analysis.validation.scenario import Scenario
 from hertzwerk.runtime.engine.model import build
-from hertzwerk.runtime.studies.sweeps.sweep_file import SweepFile
+from hertzwerk.runtime.studies.minimisation.minimisation import minimise
+from hertzwerk.runtime.studies.sweeps.definition_file import form_of
+from hertzwerk.runtime.studies.sweeps.parameter_sweep import sweep
+from hertzwerk.runtime.studies.uncertainty.propagation import propagate
 
 HEADINGS = {  # of public names, by the module that defines them; the first that fits
     "derive": {
@@ -118,7 +121,9 @@ def scenes_page() -> str:
 
 def schemas_page() -> str:
     """Return the JSON schemas of the files that users write."""
-    kinds = {"Scenario": Scenario.model_json_schema(), "Sweep": SweepFile.model_json_schema()}
+    functions: dict[str, Callable[..., Any]] = {"Sweep": sweep, "Propagation": propagate, "Minimisation": minimise}
+    kinds = {"Scenario": Scenario.model_json_schema()}
+    kinds |= {kind: form_of(function).model_json_schema() for kind, function in functions.items()}
     kinds |= {f"Law: {kind}": schema for kind, schema in build.law_file_schemas().items()}
     parts = ["# JSON schemas\n\nThese schemas describe the TOML files that hertzwerk reads.\n"]
     for kind, schema in kinds.items():

@@ -90,7 +90,7 @@ def minimise(target: str, out: Path | None, as_json: bool, **options: Any) -> in
         from hertzwerk.runtime.studies.minimisation import minimisation
 
         minimum = minimisation.minimise(
-            **definition(target, options, own, minimisation.minimise, ("target", "objective", "over", "duration")),
+            **definition(target, options, own, minimisation.minimise),
             progress=progress,
         )
     code = conclude(

@@ -99,7 +99,7 @@ def propagate(target: str, out: Path | None, file: Path | None, as_json: bool, *
     with Progress(f"uncertainty of {target}", shown=not as_json) as progress:
         from hertzwerk.runtime.studies.uncertainty import propagation
 
-        arguments = definition(target, options, own, propagation.propagate, ("target", "uncertain", "duration"))
+        arguments = definition(target, options, own, propagation.propagate)
         propagated = propagation.propagate(**arguments, out=out, progress=progress)
     if file is not None:
         propagated.to_csv(file)

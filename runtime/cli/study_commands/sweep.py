@@ -203,10 +203,11 @@ def _arguments(target: str | None, resume: Path | None, options: dict[str, Any],
     """Return the arguments of the sweep, of a folder, a file or the command line; raises InputError."""
     expected = "the whole definition there; beside it --workers, --cluster, --widen, --table, --json"
     if resume is None and target is not None and target.endswith(".toml"):
-        from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
+        from hertzwerk.runtime.studies.sweeps.definition_file import read_definition_file
+        from hertzwerk.runtime.studies.sweeps.parameter_sweep import sweep as swept
 
         refuse("sweep", [*faults, *beside(target, expected, "target", "out", *BESIDE)])
-        return read_sweep(Path(target))
+        return read_definition_file(Path(target), swept)
     if resume is not None:
         refuse("sweep", [*faults, *beside("--resume", expected, "resume", *BESIDE)])
         from hertzwerk.runtime.studies.sweeps.points.sweep_definition import arguments_of, read_definition

@@ -9,7 +9,8 @@ import pytest
 from commands import called
 from pages import Outline
 
-from hertzwerk.runtime.cli.design_options import read_definition
+from hertzwerk.derive.common.faults import InputError
+from hertzwerk.runtime.studies.sweeps.definition_file import read_definition_file
 from hertzwerk.runtime.studies.uncertainty.propagation import propagate
 from hertzwerk.runtime.system.digests import sealed
 
@@ -73,7 +74,8 @@ def test_propagate_by_options_and_by_file(file, tmp_path):
 
 def test_files_of_a_definition_are_named_from_its_folder(file, tmp_path):
     stated = Path(file(f'laws = {{ floor = "pads.toml:foam" }}\n{FILE}'))
-    assert read_definition(stated, propagate, ("target",))["laws"] == {"floor": f"{tmp_path / 'pads.toml'}:foam"}
+    with pytest.raises(InputError, match=str(tmp_path / "pads.toml")):
+        read_definition_file(stated, propagate)
 
 
 def test_minimise_by_options_and_by_file(file, tmp_path):
@@ -120,3 +122,9 @@ def test_bad_files_are_reported_at_once(file):
     reported = called("propagate", file("target = 3\nsampel = 8\n"), code=2)
     assert all(place in reported.output for place in ("sampel", "sample", "uncertain", "duration", "target"))
     called("propagate", file(FILE), "--sample", "8", code=2)
+    reported = called(
+        "minimise",
+        file(MINIMUM.replace("[over]", 'max_runs = "3"\nlaws = {roof = "flores"}\n[over]\nmass = true')),
+        code=2,
+    )
+    assert all(place in reported.output for place in ("max_runs", "over", "roof"))

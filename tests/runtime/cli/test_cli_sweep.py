@@ -16,7 +16,7 @@ from commands import called
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Sweep, sweep
 from hertzwerk.runtime.engine.model.build import located_laws
-from hertzwerk.runtime.studies.sweeps.sweep_file import SweepFile, read_sweep
+from hertzwerk.runtime.studies.sweeps.definition_file import form_of, read_definition_file
 
 OPTIONS = [
     *("--over", "drop_height=0.5..1 m:3", "--over", "restitution=0.5,0.7", "--set", "radius=21 mm"),
@@ -160,7 +160,7 @@ def test_laws_of_a_file_are_found_from_another_folder_and_a_changed_file_is_refu
     called("run", "bouncing_ball", *by_law, "--out", "b", "--no-plots")
     (tmp_path / "elsewhere").mkdir()
     monkeypatch.chdir(tmp_path / "elsewhere")
-    assert read_sweep(tmp_path / "a.toml")["laws"] == {"floor": str(tmp_path / "foam.toml")}
+    assert read_definition_file(tmp_path / "a.toml", sweep)["laws"] == {"floor": str(tmp_path / "foam.toml")}
     hertzwerk("--resume", "../a")
     called("run", "--continue", "../b", "--duration", "0.12 s", "--no-plots", "--out", "c")
     (tmp_path / "foam.toml").write_text((tmp_path / "foam.toml").read_text() + 'note = "twice as stiff"\n')
@@ -208,7 +208,7 @@ def test_faults_of_form_and_of_meaning_of_a_file_come_at_once(tmp_path):
     file = tmp_path / "study.toml"
     file.write_text('targt = "x"\nduration = true\noutputs = "a"\nsample = "3"\nover = {mass = true}\n')
     with pytest.raises(InputError) as caught:
-        read_sweep(file)
+        read_definition_file(file, sweep)
     assert {fault.where for fault in caught.value.faults} == {
         "targt", "target", "duration", "outputs", "sample", "over.mass",
     }  # fmt: skip
@@ -218,7 +218,7 @@ def test_faults_of_form_and_of_meaning_of_a_file_come_at_once(tmp_path):
         'over = {mass = true, drop_hight = "1..2 m:3"}\nparameters = {radios = "1 m"}\n'
     )
     with pytest.raises(InputError) as caught:
-        read_sweep(file)
+        read_definition_file(file, sweep)
     reported = {fault.where: str(fault) for fault in caught.value.faults}
     assert set(reported) == {"duration", "sample", "over.mass", "tolerance", "floor.peak", "drop_hight", "radios"}
     assert "did you mean drop_height" in reported["drop_hight"]
@@ -229,10 +229,10 @@ def test_a_file_has_the_keys_of_sweep():
     import inspect
 
     keys = set(inspect.signature(sweep).parameters)
-    assert keys - set(SweepFile.model_fields) == {
+    assert keys - set(form_of(sweep).model_fields) == {
         "out", "widen", "workers", "client", "functions", "progress", "compiled",
     }  # fmt: skip
-    assert set(SweepFile.model_fields) <= keys
+    assert set(form_of(sweep).model_fields) <= keys
 
 
 @pytest.mark.slow

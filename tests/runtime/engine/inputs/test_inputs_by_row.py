@@ -11,7 +11,7 @@ from hertzwerk.derive import InputError
 from hertzwerk.runtime import Samples, Sweep, simulate, simulate_many, study_effects, sweep
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, located_choices
 from hertzwerk.runtime.loading import engine_model
-from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
+from hertzwerk.runtime.studies.sweeps.definition_file import read_definition_file
 
 TIMES = (0.0, 0.5, 1.0)
 LOADS = {"calm": (0.0, 1.0, 0.0), "gusty": (2.0, -3.0, 4.0)}
@@ -86,7 +86,7 @@ def test_the_command_line_and_a_file_choose_alike(folder):
     (folder / "inner" / "s.toml").write_text(
         'target = "../pushed.py"\nduration = "1 s"\ntolerance = 1e-8\n[over]\npush = "../calm.csv, ../gusty.csv:push:cubic"\n"push.scale" = [1, 2]\n'
     )
-    by_file = sweep(**read_sweep(folder / "inner" / "s.toml"), workers=1)
+    by_file = sweep(**read_definition_file(folder / "inner" / "s.toml", sweep), workers=1)
     assert by_file["push"].tolist() == ["../calm.csv"] * 2 + ["../gusty.csv:push:cubic"] * 2
     table = json.loads(reported.stdout)["table"]
     assert table[TRAVEL] == by_file[TRAVEL].tolist() and table["push"][::2] == ["calm.csv", "gusty.csv:push:cubic"]

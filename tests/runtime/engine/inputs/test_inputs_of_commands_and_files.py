@@ -12,7 +12,7 @@ from hertzwerk.runtime import Samples, equilibrium, modes, simulate, sweep
 from hertzwerk.runtime.analysis.validation.scenario import load_scenario
 from hertzwerk.runtime.analysis.validation.validate import run_scenario, validate
 from hertzwerk.runtime.engine.inputs.input_values import located
-from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
+from hertzwerk.runtime.studies.sweeps.definition_file import read_definition_file
 
 TIMES, LOADS = (0.0, 0.5, 1.0, 2.0), (0.0, 3.0, -1.0, 0.0)
 
@@ -58,7 +58,7 @@ def test_a_sweep_has_the_same_inputs_in_all_rows_and_keys_them_by_their_values(f
     file.write_text(
         'target = "pushed.py"\nduration = "1 s"\n[inputs]\npush = "bench.csv:load"\n[over]\nstiffness = "40..60 N/m:3"\n'
     )
-    arguments = read_sweep(file)
+    arguments = read_definition_file(file, sweep)
     assert arguments["inputs"] == {"push": str(folder / "bench.csv:load")}
     table = sweep("pushed.py", design, inputs=arguments["inputs"], **options)
     run = simulate(
