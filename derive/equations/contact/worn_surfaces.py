@@ -8,6 +8,7 @@ slope over the eccentricity, and a worn pin takes a couple. A track of a plane i
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -29,7 +30,7 @@ INNER, OUTER = sp.Float("0.0625"), sp.Float("0.5")  # exact in binary, and print
 """Squares of eccentricity over clearance between which a direction begins to count: the centre has none."""
 
 
-class Worn:
+class Worn(ABC):
     """Worn surfaces of a contact geometry on its tape."""
 
     stretch: Any = None
@@ -49,9 +50,9 @@ class Worn:
         return self.tape.let(expression, f"{self.wear.name}_{label}", dimension)
 
     @property
+    @abstractmethod
     def depth(self) -> Any:
         """Sum of the depths of both surfaces where they touch [m]."""
-        raise NotImplementedError
 
     @property
     def volume(self) -> Any:
@@ -93,9 +94,9 @@ class Worn:
             recession.append(opening)
         return rates, self.let(sp.Add(*recession), "recession")
 
+    @abstractmethod
     def lost(self, label: str, rate: Any) -> tuple[Sequence[Any], Any]:
         """Rates of a surface's depths, and of that where it touches [m/s], of a volume lost [m^3/s]."""
-        raise NotImplementedError
 
 
 class WornSpot(Worn):
@@ -140,18 +141,18 @@ class WornSectors(Worn):
     """Contours of surfaces, each by sectors of a turn."""
 
     @property
+    @abstractmethod
     def length(self) -> Any:
         """Way of the place of contact along the contour, over the angle of its turn [m]."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def sides(self) -> dict[str, Side]:
         """Surfaces that wear, by name."""
-        raise NotImplementedError
 
+    @abstractmethod
     def area(self, label: str) -> Any:
         """Area of a sector [m^2]."""
-        raise NotImplementedError
 
     def side(self, label: str, cosine: Any, sine: Any, turning: Callable[[], Any]) -> Side:
         """Surface where a turn has a cosine and a sine, and a rate [rad/s]."""

@@ -56,11 +56,11 @@ def refused(model: EngineModel) -> list[Fault]:
         "rolling constraints": [row[0] for row in module.ROLLING],
         "resistance and films of contacts": resisting,
     }
-    for kind, names in others.items():
-        if names:
-            faults.append(Fault("scene", f"{kind}: {', '.join(map(str, names))}", "bodies, springs, drives and contacts alone",
-                                "leave the effect out: load(..., without=[...])"))  # fmt: skip
-    return faults
+    return faults + [
+        Fault("scene", f"{kind}: {', '.join(map(str, names))}", "bodies, springs, drives and contacts alone",
+              "leave the effect out: load(..., without=[...])")
+        for kind, names in others.items() if names
+    ]  # fmt: skip
 
 
 @per_model

@@ -41,10 +41,10 @@ def draw_dents(axis: Axes, dents: list[tuple[float, float]]) -> None:
         x = np.linspace(-half, half, 101)
         axis.plot(scale(x), -factor * depth * scale(1 - (x / half) ** 2), color=BLUE, alpha=1 - 0.8 * i / DRAWN)
     axis.axhline(0, color=GREY, linewidth=0.8, zorder=0)
-    axis.set(aspect="equal", xlim=np.array([-MARGIN, MARGIN]) * scale(widest), yticks=[])
-    axis.set_ylim(-2 * MARGIN * SHOWN * scale(widest), MARGIN * SHOWN * scale(widest))
-    of_depth = scale_of("m", deepest)
-    axis.set_title(
-        f"Dents of {len(dents)} impact{'s' * (len(dents) > 1)}, depth enlarged {factor:g} times: the deepest {of_depth(deepest):.3g} {of_depth.unit}"
-    )
-    axis.set_xlabel(f"distance from the middle [{scale.unit}]; as caps as wide as √(R d) at the largest penetration d")
+    of_depth, room = scale_of("m", deepest), MARGIN * scale(widest)
+    count = f"Dents of {len(dents)} impact{'s' * (len(dents) > 1)}"
+    axis.set(
+        aspect="equal", xlim=(-room, room), ylim=(-2 * SHOWN * room, SHOWN * room), yticks=[],
+        title=f"{count}, depth enlarged {factor:g} times: the deepest {of_depth(deepest):.3g} {of_depth.unit}",
+        xlabel=f"distance from the middle [{scale.unit}]; as caps as wide as √(R d) at the largest penetration d",
+    )  # fmt: skip
