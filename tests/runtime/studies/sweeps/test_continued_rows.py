@@ -82,24 +82,22 @@ def test_rows_that_are_missing_are_followed_from_those_that_are_there(crank, tmp
     assert [row.arrays for row in again] == [row.arrays for row in whole]
 
 
-FOLLOWED = """
+FALLS = {
+    "over": {"restitution": "0.5..0.9:40"}, "duration": "3 s", "tolerance": 1e-10, "compiled": False, "workers": 1, "continued": "up",
+}  # fmt: skip
+FOLLOWED = f"""
 import os, sys
 from hertzwerk.runtime import sweep
-sweep("bouncing_ball", {"restitution": "0.5..0.9:40"}, duration="3 s", tolerance=1e-10, compiled=False, workers=1,
-      continued="up", out=sys.argv[1], progress=lambda fraction: os.write(1, b"row\\n"))
+sweep("bouncing_ball", **{FALLS}, out=sys.argv[1], progress=lambda fraction: os.write(1, b"row\\n"))
 """
 
 
 @pytest.mark.slow
 def test_a_chain_that_is_killed_goes_on_from_the_rows_that_are_stored(tmp_path):
     """Killed after 3 and after 6 more rows; the end is bitwise that of a chain that was left alone, and no row is repeated."""
-
-    def start(folder):
-        return subprocess.Popen([sys.executable, "-c", FOLLOWED, str(tmp_path / folder)], stdout=subprocess.PIPE)
-
-    stored = []
+    command, stored = [sys.executable, "-c", FOLLOWED, str(tmp_path / "killed")], []
     for reported in (3, 6):
-        process = start("killed")
+        process = subprocess.Popen(command, stdout=subprocess.PIPE)
         for _ in range(reported + 1):  # the first line comes before any row
             assert process.stdout.readline()
         process.kill()
@@ -110,9 +108,7 @@ def test_a_chain_that_is_killed_goes_on_from_the_rows_that_are_stored(tmp_path):
     assert len(stored[0]) >= 3
     assert len(stored[1]) >= len(stored[0]) + 6
     assert len(stored[-1]) < 40, "it ended before it was killed"
-    for folder in ("killed", "whole"):
-        start(folder).communicate()
-    killed, whole = (Sweep.load(tmp_path / folder).rows for folder in ("killed", "whole"))
+    killed, whole = (sweep("bouncing_ball", **FALLS, out=tmp_path / folder).rows for folder in ("killed", "whole"))
     assert len(whole) == 40
     assert [row.outputs for row in killed] == [row.outputs for row in whole]
     assert [row.arrays for row in killed] == [row.arrays for row in whole]
