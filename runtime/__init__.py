@@ -6,7 +6,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.common.faults import Fault as Fault, InputError as InputError
     from hertzwerk.runtime.studies.comparison.compare_run import compare as compare
     from hertzwerk.runtime.studies.comparison.comparison_result import Comparison as Comparison
-    from hertzwerk.runtime.studies.uncertainty.distributions import Correlated as Correlated
+    from hertzwerk.runtime.studies.uncertainty.correlation import Correlated as Correlated
     from hertzwerk.runtime.studies.uncertainty.distributions import (
         LogNormal as LogNormal,
         Normal as Normal,

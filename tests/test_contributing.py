@@ -12,8 +12,8 @@ import pytest
 from click.testing import CliRunner
 
 import hertzwerk.derive as hd
+from hertzwerk.derive.audit.admissibility import faults_if_consistent
 from hertzwerk.derive.audit.audit import audit_law
-from hertzwerk.derive.audit.behaviour import faults_if_consistent
 from hertzwerk.derive.common.execute_file import names_defined_by
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.cli import GROUPS, main

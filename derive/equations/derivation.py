@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from hertzwerk.derive.audit.admissibility import refuse_misbehaving
 from hertzwerk.derive.audit.audit import (
     Finding,
     Findings,
@@ -17,7 +18,6 @@ from hertzwerk.derive.audit.audit import (
     audit_program,
     refuse_inconsistent,
 )
-from hertzwerk.derive.audit.behaviour import refuse_misbehaving
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.declare.scene.scene import Scene, require_scene
 from hertzwerk.derive.equations.equal_parts.equal_declarations import Alike, alike

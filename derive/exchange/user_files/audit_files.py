@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
+from hertzwerk.derive.audit.admissibility import faults_if_consistent
 from hertzwerk.derive.audit.audit import Finding, Findings, audit_law, verdict
-from hertzwerk.derive.audit.behaviour import faults_if_consistent
 from hertzwerk.derive.common.execute_file import names_defined_by, sympy_remedy
 from hertzwerk.derive.common.faults import Fault, InputError, as_path, refuse
 from hertzwerk.derive.common.grouping import grouped

@@ -32,9 +32,9 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from hertzwerk.derive.audit.admissibility import faults_if_consistent
 from hertzwerk.derive.audit.audit import Finding
 from hertzwerk.derive.audit.audit_text import finding, undeclared, with_culprit
-from hertzwerk.derive.audit.behaviour import faults_if_consistent
 from hertzwerk.derive.common.execute_file import beside
 from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.derive.common.identifiers import name_faults

@@ -120,7 +120,7 @@ def propagate(target: str, out: Path | None, file: Path | None, as_json: bool, *
 
 def _of_fit(folder: Path, beside: object, faults: list[Fault]) -> Any:
     """Return the distribution that a fit wrote into a folder; bad input is appended to `faults`."""
-    from hertzwerk.runtime.studies.uncertainty.distributions import Correlated
+    from hertzwerk.runtime.studies.uncertainty.correlation import Correlated
     from hertzwerk.runtime.system.digests import read_sealed
 
     if beside:

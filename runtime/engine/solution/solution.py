@@ -23,21 +23,13 @@ from hertzwerk.runtime.engine.solution import saved_run
 from hertzwerk.runtime.engine.solution.averages import Average, Run, averages
 from hertzwerk.runtime.engine.solution.checkpoint import Checkpoint
 from hertzwerk.runtime.engine.solution.error_scales import Scales
+from hertzwerk.runtime.engine.solution.hertz_validity import Validity, beyond_theory, validity
 from hertzwerk.runtime.engine.solution.history import Histories, History
 from hertzwerk.runtime.engine.solution.impacts import Impact
 from hertzwerk.runtime.engine.solution.interval_sums import Sums
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.solution.step_observers import Choice, Findings, Needs
-from hertzwerk.runtime.engine.solution.step_warnings import (
-    Validity,
-    bent_rods,
-    beyond_theory,
-    headline,
-    left_law,
-    lost_grip,
-    validity,
-    wide_sectors,
-)
+from hertzwerk.runtime.engine.solution.step_warnings import bent_rods, headline, left_law, lost_grip, wide_sectors
 from hertzwerk.runtime.system.atomic_files import write_atomically
 from hertzwerk.runtime.system.lazy import cached_property
 

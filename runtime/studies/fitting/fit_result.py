@@ -21,13 +21,8 @@ from hertzwerk.runtime.studies.comparison.comparison_request import Channel
 from hertzwerk.runtime.studies.comparison.residuals import Residual
 from hertzwerk.runtime.studies.fitting.experiment import Observed
 from hertzwerk.runtime.studies.fitting.intervals import LEVEL, Identified, Interval
-from hertzwerk.runtime.studies.uncertainty.distributions import (
-    Correlated,
-    Distribution,
-    LogNormal,
-    Normal,
-    TruncatedNormal,
-)
+from hertzwerk.runtime.studies.uncertainty.correlation import Correlated
+from hertzwerk.runtime.studies.uncertainty.distributions import Distribution, LogNormal, Normal, TruncatedNormal
 from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:

@@ -30,14 +30,8 @@ from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.studies.sweeps.parameter_sweep import outputs_of, sweep
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Measured
 from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep
-from hertzwerk.runtime.studies.uncertainty.distributions import (
-    Correlated,
-    Distribution,
-    correlated_parts,
-    covariance,
-    read_correlation,
-    read_distributions,
-)
+from hertzwerk.runtime.studies.uncertainty.correlation import Correlated, correlated_parts, covariance, read_correlation
+from hertzwerk.runtime.studies.uncertainty.distributions import Distribution, read_distributions
 from hertzwerk.runtime.studies.uncertainty.propagation_result import Index, Propagated, Uncertain
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from drop import drop
 from each import each
 
 from hertzwerk.derive import Contact, Friction, InputError, Parameter, generate, laws_from
-from hertzwerk.derive.audit.behaviour import faults_if_consistent, law_faults, scene_faults
+from hertzwerk.derive.audit.admissibility import faults_if_consistent, law_faults, scene_faults
 from hertzwerk.derive.exchange.user_files.audit_files import audit_path
 from hertzwerk.derive.expressions.parameter import POSITIVE
 from hertzwerk.derive.laws import LAWS, flores, hertz_point, power

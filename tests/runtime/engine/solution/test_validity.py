@@ -12,7 +12,7 @@ from hertzwerk.derive.common.hertzian_laws import LINE, POINT
 from hertzwerk.derive.laws.catalogue import FILES
 from hertzwerk.derive.laws.law import StiffnessLaw
 from hertzwerk.runtime import Solution, load, simulate, sweep
-from hertzwerk.runtime.engine.solution.step_warnings import CROSSINGS, WIDE, WORDS, validity
+from hertzwerk.runtime.engine.solution.hertz_validity import CROSSINGS, WIDE, WORDS, validity
 
 E, NU, RHO, Y, R = 210e9, 0.3, 7850.0, 0.5e9, 0.01
 MASS = 4 / 3 * math.pi * R**3 * RHO

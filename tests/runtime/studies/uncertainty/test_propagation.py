@@ -20,7 +20,7 @@ from hertzwerk.runtime import (
 )
 from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.uncertainty import propagation_result
-from hertzwerk.runtime.studies.uncertainty.distributions import correlated_parts, covariance
+from hertzwerk.runtime.studies.uncertainty.correlation import correlated_parts, covariance
 
 SHORT = {"tolerance": 1e-9, "workers": 1, "compiled": False}
 G = 9.81

@@ -9,7 +9,8 @@ from hertzwerk.runtime import simulate, sweep
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps.rows.row import Row
-from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep, slope_of
+from hertzwerk.runtime.studies.sweeps.slope import slope_of
+from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep
 
 PEAK, HOW = "slider_pin.peak_force", {"duration": "1 ms", "tolerance": 1e-10, "compiled": False, "workers": 1}
 BY = f"d({PEAK})/d(restitution)"

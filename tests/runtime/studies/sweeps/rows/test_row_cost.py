@@ -8,7 +8,7 @@ from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.model.caller import Caller
 from hertzwerk.runtime.engine.run import recorder
 from hertzwerk.runtime.engine.run.run_request import Settings
-from hertzwerk.runtime.engine.solution.step_warnings import beyond_theory
+from hertzwerk.runtime.engine.solution.hertz_validity import beyond_theory
 from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps.rows.row_job import Job
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import chosen, finals
