@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib
 import importlib.util
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
@@ -108,12 +107,7 @@ class Model:
         if among(name, *OF_FLOW):
             return getattr(flow(self.engine), name)
         if not among(name, *OF_LOOP):
-            try:
-                return self.engine.function(name)
-            except InputError as error:
-                (fault,) = error.faults
-                more = ", ".join((*OF_FLOW, *OF_LOOP))
-                raise InputError(self.name, [replace(fault, expected=f"{fault.expected}, {more}")]) from None
+            return self.engine.function(name, beside=(*OF_FLOW, *OF_LOOP))
         if not among(method, *IN_GRAPH):
             raise InputError(self.name, [unknown("method", method, IN_GRAPH)])
         made = integrator(self.engine, tuple(table() for table in IN_GRAPH[method]))
@@ -160,18 +154,18 @@ class Model:
 
 def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list[Fault]:
     """Return the faults of arguments of a wrong type."""
-    faults: list[Fault] = []
-    if not isinstance(target, str | Path | ModuleType | Model | EngineModel) and not hasattr(target, "mechanism"):
-        expected = "the name of a built-in scene, a Python file, a Scene, a Model or a generated module"
-        faults.append(Fault("target", shown(target), expected))
-    if not isinstance(without, list | tuple) or not all(isinstance(name, str) for name in without):
-        faults.append(Fault("without", shown(without), "a list of names of effects"))
+    objects = isinstance(target, str | Path | ModuleType | Model | EngineModel) or hasattr(target, "mechanism")
+    names = isinstance(without, list | tuple) and all(isinstance(name, str) for name in without)
     pairs = () if laws is None else laws.items() if isinstance(laws, Mapping) else ((laws, None),)
-    if not all(isinstance(name, str) and isinstance(law, str) for name, law in pairs):
-        faults.append(Fault("laws", shown(laws), 'laws by the names of effects, such as {"floor": "flores"}'))
-    if not isinstance(coordinates, str | None):
-        faults.append(Fault("coordinates", shown(coordinates), '"tree", "absolute" or "auto"'))
-    return faults
+    by_effect = all(isinstance(name, str) and isinstance(law, str) for name, law in pairs)
+    built_in = "the name of a built-in scene, a Python file, a Scene, a Model or a generated module"
+    checks = {
+        "target": (target, objects, built_in),
+        "without": (without, names, "a list of names of effects"),
+        "laws": (laws, by_effect, 'laws by the names of effects, such as {"floor": "flores"}'),
+        "coordinates": (coordinates, isinstance(coordinates, str | None), '"tree", "absolute" or "auto"'),
+    }
+    return [Fault(name, shown(value), expected) for name, (value, sound, expected) in checks.items() if not sound]
 
 
 Target: TypeAlias = "str | Path | Scene | ModuleType | Model | EngineModel"

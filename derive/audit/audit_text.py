@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.audit.audit import Finding, with_repairs
-from hertzwerk.derive.common.faults import Fault, InputError, refuse
+from hertzwerk.derive.common.faults import Fault, InputError, noted, refuse
 from hertzwerk.derive.common.units import Unit, UnitError, parse_unit
 from hertzwerk.derive.expressions.dimension.culprit import Row, culprits, powers_in
 from hertzwerk.derive.expressions.dimension.declared import Declared, dimension_of_unit, examine
@@ -69,10 +69,8 @@ def audit_expression(
         faults.extend(undeclared(expression, {plain_name(name) for name in (*units, *(values or {}))}))
     except TextError as error:
         faults.append(Fault(f"expression, character {error.position}", error.found, error.expected, error.remedy))
-    try:
+    with noted(faults):
         declared = Declared.of(units, values)
-    except InputError as error:
-        faults.extend(error.faults)
     try:
         if expect is not None:
             expected = parse_unit(expect) if declared is None else dimension_of_unit(expect, declared.constants)

@@ -5,7 +5,8 @@ Imports nothing from the package, so that derivation and runtime report in the s
 
 from __future__ import annotations
 
-from collections.abc import Collection, Hashable, Iterable
+from collections.abc import Collection, Hashable, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -130,6 +131,15 @@ class InputError(PicklableError):
         merged = _merge_repeated(self.faults)
         head = f"{visible(subject)}: {len(merged)} fault{'s' if len(merged) != 1 else ''}"
         super().__init__("\n".join([head, *(f"  {fault}".replace("\n", "\n  ") for fault in merged)]))
+
+
+@contextmanager
+def noted(faults: list[Fault]) -> Iterator[None]:
+    """Append the faults of bad input that is found within to a list, those that it has not."""
+    try:
+        yield
+    except InputError as error:
+        faults += [fault for fault in error.faults if fault not in faults]
 
 
 def refuse(subject: str, faults: Collection[Fault]) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse
+from hertzwerk.derive.common.faults import Fault, InputError, noted, refuse
 from hertzwerk.runtime.cli.target_options import assignments, with_inputs
 
 if TYPE_CHECKING:
@@ -155,14 +155,10 @@ def _value_differences(before: Solution, model: EngineModel, values: Mapping[str
     parameters, initial = split_values(model, values)
     bound = model.bind(had)
     for name, text in parameters.items():
-        try:
-            other = model.bind({**had, name: text})[name] != bound[name]
-        except InputError as error:
-            faults += error.faults
-            continue
-        if other:
-            value, unit = before.settings.parameters[name]
-            faults.append(Fault(f"--set {name}", text, f"{value:g} {unit}, as of the run there", REMEDY))
+        with noted(faults):
+            if model.bind({**had, name: text})[name] != bound[name]:
+                value, unit = before.settings.parameters[name]
+                faults.append(Fault(f"--set {name}", text, f"{value:g} {unit}, as of the run there", REMEDY))
     stated = before.engine.checkpoint.initial if before.engine.checkpoint is not None else {}
     faults += [
         Fault(f"--set {name}", text, f"{stated.get(name, 'the start of the model')}, as of the run there", REMEDY)

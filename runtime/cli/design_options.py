@@ -34,15 +34,10 @@ def definition(
     arguments = own(faults)
     varied = Variation.taken(target, dict(options))
     model = varied.model(faults)
-    arguments |= _of_run(varied, options, faults)
+    arguments |= {"parameters": varied.values(faults), "inputs": assignments("--input", varied.inputs, faults) or None}
+    arguments |= run_settings(varied.target, **options)
     refuse(target, faults)
     return {"target": model, **arguments}
-
-
-def _of_run(varied: Variation, options: Mapping[str, Any], faults: list[Fault]) -> dict[str, Any]:
-    """Return the arguments of the runs, by default the scenario's."""
-    arguments = {"parameters": varied.values(faults), "inputs": assignments("--input", varied.inputs, faults) or None}
-    return {**arguments, **run_settings(varied.target, **options)}
 
 
 def named(option: str, texts: Sequence[str], sign: str, faults: list[Fault]) -> dict[str, str]:

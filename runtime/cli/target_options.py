@@ -180,6 +180,17 @@ class Variation:
         """Return the values of --set; malformed ones are appended to `faults`."""
         return assignments("--set", self.settings, faults)
 
+    def bound(
+        self, duration: str | float | None, faults: list[Fault], others: Callable[[], list[Fault]] = list
+    ) -> tuple[EngineModel, Mapping[str, Value], Mapping[str, Value]]:
+        """Return the model with its inputs for a duration, parameters, initial states; raises InputError."""
+        from hertzwerk.runtime.engine.start.start_values import split_values
+
+        values = self.values(faults)
+        model = self.model(faults, others)
+        parameters, initial = split_values(model, values)
+        return with_inputs(model, self.inputs, duration, parameters, faults), parameters, initial
+
     def solved(
         self,
         settings: Settings,
@@ -196,14 +207,10 @@ class Variation:
         """
         from hertzwerk.runtime.engine.run.run_request import check
         from hertzwerk.runtime.engine.solution.history import unknown_histories
-        from hertzwerk.runtime.engine.start.start_values import split_values
         from hertzwerk.runtime.simulation import solve
 
-        values = self.values(faults)
-        model = self.model(faults, settings.faults)
-        parameters, initial = split_values(model, values)
+        model, parameters, initial = self.bound(settings.duration, faults, settings.faults)
         faults += unknown_histories(model, histories)
-        model = with_inputs(model, self.inputs, settings.duration, parameters, faults)
         begin = _at_rest(model, parameters, initial, faults) if at_rest else initial
         check(model, settings, parameters, begin, faults)
         return solve(model, settings, parameters, begin, progress=progress)

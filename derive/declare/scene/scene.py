@@ -12,7 +12,7 @@ from typing import Any, Literal, TypeVar
 
 import sympy as sp
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, noted, refuse, shown, unknown
 from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.common.identifiers import repeated
 from hertzwerk.derive.common.markup import Markup, heading, joined, titled
@@ -167,20 +167,12 @@ class Scene:
         replacements: dict[str, BoundLaw] = {}
         faults: list[Fault] = []
         for text in split_laws(law_name):
-            try:
+            with noted(faults):
                 slot, law = self._law_for(effect_name, fields, text, known)
-            except InputError as error:
-                faults += error.faults
-                continue
-            if slot in replacements:
-                faults.append(
-                    Fault(
-                        f"effect {effect_name}",
-                        f"{replacements[slot].law.name} and {law.law.name}",
-                        f"one {law.law.kind} law",
-                    )
-                )
-            replacements[slot] = law
+                if slot in replacements:
+                    actual = f"{replacements[slot].law.name} and {law.law.name}"
+                    faults.append(Fault(f"effect {effect_name}", actual, f"one {law.law.kind} law"))
+                replacements[slot] = law
         refuse(f"scene {self.name}", faults)
         return self.replace(**{name: replace(self.effect(name), **replacements) for name in meant})
 

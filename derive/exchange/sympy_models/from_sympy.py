@@ -33,7 +33,6 @@ from hertzwerk.derive.exchange.sympy_models.kinematics_audit import kinematic_fa
 from hertzwerk.derive.exchange.sympy_models.mechanism_by_expressions import (
     Condition,
     Description,
-    DynamicEquations,
     Linear,
     MechanismByExpressions,
     Placed,
@@ -219,7 +218,7 @@ class Model:
         quantities += [Varying(f"function {name_of(f)}(t)", v, str(names.table[f])) for f, v in names.moving.items()]
         return Description(
             names.freedoms, names.measured, names.uncounted, rates, tuple(steps), places,
-            DynamicEquations(mass, bias, potential), conditions, tuple(quantities), self._contradictions,
+            mass, bias, potential, conditions, tuple(quantities), self._contradictions,
         )  # fmt: skip
 
     def _loads(self) -> tuple[Loads, ...]:
@@ -300,15 +299,12 @@ def _expressions(reading: Reading) -> list[Any]:
     return [sp.sympify(value, strict=True) for value in expressions]
 
 
-def _bodies_in(records: Iterable[Any]) -> Iterable[Body]:
-    """Yield the bodies that records refer to."""
-    for record in records:
-        for entry in fields(record) if is_dataclass(record) else ():
-            value = getattr(record, entry.name)
-            for each in value if isinstance(value, tuple) else (value,):
-                body = each.body if isinstance(each, Point) else each
-                if isinstance(body, Body):
-                    yield body
+def _bodies_in(records: Iterable[Any]) -> list[Body]:
+    """Bodies that records refer to."""
+    values = [getattr(record, entry.name) for record in records if is_dataclass(record) for entry in fields(record)]
+    places = [place for value in values for place in (value if isinstance(value, tuple) else (value,))]
+    bodies = (place.body if isinstance(place, Point) else place for place in places)
+    return [body for body in bodies if isinstance(body, Body)]
 
 
 def _each(value: Any, change: Callable[[Any], Any]) -> Any:

@@ -74,15 +74,6 @@ class Condition:
 
 
 @dataclass(frozen=True, eq=False)
-class DynamicEquations:
-    """Equations M du/dt + bias = forces, by rows, and the potential energy in them [J]."""
-
-    mass: Mapping[tuple[str, str], Any]
-    bias: Mapping[str, Any]
-    potential: Any = sp.S.Zero
-
-
-@dataclass(frozen=True, eq=False)
 class Description:
     """Motion and equations of a mechanism as expressions, in place of joints.
 
@@ -92,6 +83,7 @@ class Description:
     measured      `given` coordinates with their rates, and speeds without a coordinate (`uncounted`), for effects on them
     rates         key of a `given` coordinate -> its rate
     steps         symbols and expressions of what other expressions share, in order
+    mass, bias, potential    equations M du/dt + bias = forces, by rows, and the potential energy in them [J]
     quantities    parameters and what varies, with their units
     contradictions  velocities that are taken as they were set: where, as they were set, and as they follow from positions and axes
     """
@@ -102,7 +94,9 @@ class Description:
     rates: Mapping[str, Linear]
     steps: tuple[tuple[sp.Symbol, Any], ...]
     places: Mapping[str, Placed]
-    equations: DynamicEquations
+    mass: Mapping[tuple[str, str], Any]
+    bias: Mapping[str, Any]
+    potential: Any
     conditions: tuple[Condition, ...]
     quantities: tuple[Slot, ...]
     contradictions: tuple[tuple[str, str, str], ...] = ()
@@ -364,7 +358,7 @@ class EquationsByExpressions(Equations):
 
     def __init__(self, motion: MotionByExpressions, scene: Scene) -> None:
         super().__init__(motion.kin, scene)
-        self.motion, self.expressions = motion, motion.description.equations
+        self.motion, self.expressions = motion, motion.description
 
     def _mass_matrix(self) -> dict[tuple[str, str], Any]:
         entries = {

@@ -199,10 +199,8 @@ def _flat(value: Any) -> list[Any]:
 
 def _strange(expression: Any) -> str | None:
     """A function that SymPy does not have, in an expression."""
-    for node in sp.preorder_traversal(expression):
-        if node.args and not (isinstance(node, KNOWN) or node.is_Relational or node.is_Boolean):
-            return f"{type(node).__name__}"
-    return None
+    nodes = (node for node in sp.preorder_traversal(expression) if node.args and not isinstance(node, KNOWN))
+    return next((type(node).__name__ for node in nodes if not (node.is_Relational or node.is_Boolean)), None)
 
 
 # -- file of Python that makes the equations when it is imported -------------------------------------------------------

@@ -24,7 +24,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, noted, refuse, unknown
 from hertzwerk.derive.common.file_schema import MisfitError, form_faults
 from hertzwerk.derive.common.toml_file import read_toml
 from hertzwerk.derive.common.units import parse_quantity, parse_unit, rate_remedy
@@ -189,10 +189,8 @@ def _meaning_faults(content: dict[str, Any], faulty: set[str]) -> list[Fault]:
     inputs = content.get("inputs", {})
     texts = {k: v for k, v in inputs.items() if isinstance(v, str)} if isinstance(inputs, dict) else {}
     model, wrong = with_input_values(model, texts, duration, parameters)
-    try:
+    with noted(faults):
         check(model, Settings(duration, None, None), parameters, initial, wrong)
-    except InputError as error:
-        faults += error.faults
     checks, units = content.get("checks", ()), units_of(model, None)
     for i, entry in enumerate(checks if isinstance(checks, list) else ()):
         with contextlib.suppress(ValidationError):

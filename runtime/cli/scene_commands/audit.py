@@ -207,18 +207,14 @@ def _start_faults(target: str | Scene) -> Sequence[Fault]:
 
 
 def _must_name_one(targets: Sequence[str], laws: bool, expr: str | None, *, stray: bool, alone: bool) -> None:
-    faults = []
     named = [bool(targets), laws, expr is not None]
-    if sum(named) != 1:
-        actual = "nothing to audit" if not any(named) else "several things at once"
-        faults.append(Fault("audit", actual, "scenes, files or folders; or --laws; or --expr"))
-    if stray and expr is None:
-        faults.append(Fault("audit", "--unit, --value or --expect without --expr", "--expr TEXT beside them"))
-    if alone:
-        faults.append(
-            Fault("audit", "--format with --json, or without files", "scenes, files or folders, and one of both")
-        )
-    refuse("audit", faults)
+    actual = "nothing to audit" if not any(named) else "several things at once"
+    wrong = {
+        (actual, "scenes, files or folders; or --laws; or --expr"): sum(named) != 1,
+        ("--unit, --value or --expect without --expr", "--expr TEXT beside them"): stray and expr is None,
+        ("--format with --json, or without files", "scenes, files or folders, and one of both"): alone,
+    }
+    refuse("audit", [Fault("audit", found, expected) for (found, expected), there in wrong.items() if there])
 
 
 def _audit_expression(text: str, units: Sequence[str], values: Sequence[str], expect: str | None, as_json: bool) -> int:

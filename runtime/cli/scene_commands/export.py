@@ -18,7 +18,6 @@ from hertzwerk.runtime.cli.target_options import (
     Variation,
     run_settings,
     together,
-    with_inputs,
 )
 from hertzwerk.runtime.cli.terminal import GOOD, Progress, line, reports_bad_input
 from hertzwerk.runtime.export.formats import FORMATS, Format
@@ -64,7 +63,6 @@ def export(
     with Progress(f"export of {target}") as progress:
         from hertzwerk.runtime.engine.run.run_request import Settings, check
         from hertzwerk.runtime.engine.solution.history import unknown_histories
-        from hertzwerk.runtime.engine.start.start_values import split_values
         from hertzwerk.runtime.export.export_contents import ExportRequest, with_zero_inputs
 
         varied = Variation.taken(target, places)
@@ -75,10 +73,9 @@ def export(
             faults.append(Fault("export", "no format", f"one of {options}"))
         stated = run_settings(target, duration=duration, accuracy=accuracy, tolerance=tolerance, method=method)
         settings = Settings(**{**stated, "duration": stated["duration"] or "1 s"})
-        values, model = varied.values(faults), varied.model(faults, settings.faults)
-        parameters, initial = split_values(model, values)
+        model, parameters, initial = varied.bound(settings.duration, faults, settings.faults)
         faults += unknown_histories(model, outputs)
-        model = with_zero_inputs(with_inputs(model, varied.inputs, settings.duration, parameters, faults))
+        model = with_zero_inputs(model)
         check(model, settings, parameters, initial, faults)
         request = ExportRequest(model, parameters, initial, settings, tuple(outputs), int(fmi))
         for each, place in progress.over(wanted, lambda format: format[0].option):

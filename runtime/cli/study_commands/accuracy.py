@@ -18,7 +18,6 @@ from hertzwerk.runtime.cli.target_options import (
     WITHOUT,
     Variation,
     unwritable_faults,
-    with_inputs,
 )
 from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, conclude, line, reports_bad_input, table
 from hertzwerk.runtime.system.digests import json_text
@@ -74,13 +73,10 @@ def _problem(varied: Variation, out: Path | None, *, wanted: bool, duration: str
     from hertzwerk.runtime.analysis.validation import scenarios
     from hertzwerk.runtime.analysis.work_precision.reference_run import Problem
     from hertzwerk.runtime.engine.run.run_request import Settings, check
-    from hertzwerk.runtime.engine.start.start_values import split_values
 
     faults = unwritable_faults(out, wanted=wanted)
-    values, model = varied.values(faults), varied.model(faults)
-    numbers = scenarios.read(varied.target)
-    until, (parameters, initial) = duration or numbers.get("duration"), split_values(model, values)
-    model = with_inputs(model, varied.inputs, until, parameters, faults)
+    until = duration or scenarios.read(varied.target).get("duration")
+    model, parameters, initial = varied.bound(until, faults)
     problem = Problem(model, until, parameters, initial)
     check(model, Settings(problem.duration, None, None), problem.parameters, problem.initial, faults)
     return problem

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, noted
 from hertzwerk.runtime.cli.continue_run import limits_of
 from hertzwerk.runtime.cli.stop_signals import Stopping
 from hertzwerk.runtime.cli.target_options import (
@@ -178,11 +178,9 @@ def _request(
     from hertzwerk.runtime.studies.comparison.comparison_request import read_comparison_request
 
     mapped, sizes = assignments("--map", columns, faults), assignments("--noise", noise, faults)
-    try:
+    with noted(faults):
         return read_comparison_request(units_of(model, None), measured, mapped or None, noise=sizes, **how)
-    except InputError as error:
-        faults += error.faults
-        return None
+    return None
 
 
 def _write(comparison: Comparison, out: Path | None, missing: list[str], *, plots: bool) -> tuple[Path, list[str]]:

@@ -53,12 +53,9 @@ def text_of(path: Path) -> str:
         raw = path.read_bytes()
     except OSError as error:
         raise InputError("measurement", [unreadable(path, error, "a CSV file")]) from error
-    encodings, text = ["utf-8-sig", "latin-1"], "\0"
-    if raw[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        encodings = ["utf-16"]
-    elif b"\0" in raw[:2]:
-        encodings = ["utf-16-be" if raw[:1] == b"\0" else "utf-16-le"]
-    for encoding in encodings:
+    text, marked = "\0", raw[:2] in (b"\xff\xfe", b"\xfe\xff")
+    wide = "utf-16" if marked else "utf-16-be" if raw[:1] == b"\0" else "utf-16-le" if raw[1:2] == b"\0" else ""
+    for encoding in [wide] if wide else ["utf-8-sig", "latin-1"]:
         with suppress(UnicodeDecodeError):
             text = raw.decode(encoding)
             break

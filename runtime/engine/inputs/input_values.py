@@ -14,7 +14,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 from urllib.parse import parse_qsl
@@ -108,13 +109,13 @@ def signal_of(name: str, value: Input, unit: str, seconds: float, faults: list[F
         column, between = (file["column"] or name).strip(), file["between"] or "linear"
         return _of_file(where, file["file"], file["how"], column, between, unit, faults)
     if isinstance(value, Samples):
-        return _of_samples(where, value, unit, faults)
+        return _checked(where, value.faults(where), value.units, unit, value.signal, faults)
     if hasattr(value, "pieces") and hasattr(value, "units"):
-        return _of_table(where, value, unit, faults)
+        return _checked(where, value.faults(), value.units, unit, partial(_of_table, value), faults)
     if callable(value):
         return _of_function(where, value, unit, seconds, faults)
     if isinstance(value, tuple | list) and len(value) == 2 and not isinstance(value[1], str):
-        return _of_samples(where, Samples(value[0], value[1], ("s", unit)), unit, faults)
+        return signal_of(name, Samples(value[0], value[1], ("s", unit)), unit, seconds, faults)
     plain = isinstance(value, str | int | float | np.number) or (isinstance(value, tuple) and len(value) == 2)
     if not plain or isinstance(value, bool):
         faults.append(Fault(where, shown(value), FORMS))
@@ -127,10 +128,18 @@ def signal_of(name: str, value: Input, unit: str, seconds: float, faults: list[F
     return constant(si, shown(value)[1:-1] if isinstance(value, str) else f"{si:g}")
 
 
-def _of_samples(where: str, samples: Samples, unit: str, faults: list[Fault]) -> Signal | None:
-    wrong = list(samples.faults(where)) or list(_unit_faults(where, samples.units, unit))
+def _checked(
+    where: str,
+    own: Iterable[Fault],
+    units: tuple[str, str],
+    unit: str,
+    signal: Callable[[], Signal],
+    faults: list[Fault],
+) -> Signal | None:
+    """Return a signal without faults of its `own` or of its units."""
+    wrong = list(own) or _unit_faults(where, units, unit)
     faults += wrong
-    return None if wrong else samples.signal()
+    return None if wrong else signal()
 
 
 def _unit_faults(where: str, units: tuple[str, str], unit: str) -> list[Fault]:
@@ -142,11 +151,7 @@ def _unit_faults(where: str, units: tuple[str, str], unit: str) -> list[Fault]:
     return faults if fault is None else [*faults, Fault(where, f"values in {units[1]}", f"values in {unit}")]
 
 
-def _of_table(where: str, table: Any, unit: str, faults: list[Fault]) -> Signal | None:
-    wrong = list(table.faults()) or _unit_faults(where, table.units, unit)
-    faults += wrong
-    if wrong:
-        return None
+def _of_table(table: Any) -> Signal:
     pieces = np.array(table.pieces())
     return Signal(pieces[:-1, 0], pieces[:-1, 1 : DEGREE + 2], float(pieces[-1, 0]), f"table {table.name}", 4)
 
@@ -200,4 +205,4 @@ def _of_file(
         return None
     there = np.isfinite(measured.columns[name])  # a missing sample is left out
     samples = Samples(measured.times[there], measured.columns[name][there], ("s", measured.units[name]), between, f"{file}:{name}")  # type: ignore[arg-type]  # fmt: skip
-    return _of_samples(where, samples, unit, faults)
+    return _checked(where, samples.faults(where), samples.units, unit, samples.signal, faults)

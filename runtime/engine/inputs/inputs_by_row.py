@@ -182,9 +182,7 @@ def _free(label: str, taken: Iterable[str]) -> str:
 
 def _label(name: str, signal: Signal, there: dict[str, Signal]) -> str:
     """Return the label of a signal among those that are there, of which equal ones share one."""
-    for label, other in there.items():
-        if other.digest == signal.digest:
-            return label
-    label = _free(name, there)
-    there[label] = signal
+    alike = (label for label, other in there.items() if other.digest == signal.digest)
+    label = next(alike, None) or _free(name, there)
+    there.setdefault(label, signal)
     return label

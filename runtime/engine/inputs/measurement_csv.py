@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -60,6 +61,15 @@ class Columns:
         """Return the unit of a column; raises KeyError for an unknown name."""
         return parse_unit(self.units[name])
 
+    def _check(self, key: str, noun: str, sound: Callable[[Array], bool], expected: str) -> None:
+        """Make arrays of the columns, and of the field that orders them; raises InputError with every fault."""
+        along = _numbers(getattr(self, key))
+        object.__setattr__(self, key, along)
+        faults = self._column_faults(along.size, noun)
+        if along.ndim != 1 or not np.all(np.isfinite(along)) or not sound(along):
+            faults.append(Fault(key, shown(along), expected))
+        refuse(str(self.source) or f"measured {noun}", faults)
+
     def _column_faults(self, rows: int, noun: str) -> list[Fault]:
         """Return the faults of the columns, which become arrays."""
         if not isinstance(self.columns, Mapping) or not isinstance(self.units, Mapping):
@@ -95,12 +105,8 @@ class Measurement(Columns):
     jumps: int = 0
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "times", _numbers(self.times))
-        faults = self._column_faults(self.times.size, "times")
-        times = self.times
-        if times.ndim != 1 or times.size < 2 or not np.all(np.isfinite(times)) or np.any(np.diff(times) <= 0):
-            faults.append(Fault("times", shown(self.times), "two or more finite times, increasing"))
-        refuse(str(self.source) or "measurement", faults)
+        expected = "two or more finite times, increasing"
+        self._check("times", "times", lambda times: times.size > 1 and bool(np.all(np.diff(times) > 0)), expected)
 
 
 @dataclass(frozen=True)
@@ -117,12 +123,10 @@ class MeasuredImpacts(Columns):
     source: str = ""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "numbers", _numbers(self.numbers))
-        faults = self._column_faults(self.numbers.size, "impacts")
-        counted = self.numbers.ndim == 1 and self.numbers.size > 0 and bool(np.all(np.isfinite(self.numbers)))
-        if not counted or np.any(np.diff(self.numbers, prepend=0) <= 0) or np.any(self.numbers % 1):
-            faults.append(Fault("numbers", shown(self.numbers), "whole numbers of impacts from 1 on, increasing"))
-        refuse(self.source or "measured impacts", faults)
+        def sound(numbers: Array) -> bool:
+            return numbers.size > 0 and bool(np.all(np.diff(numbers, prepend=0) > 0)) and not np.any(numbers % 1)
+
+        self._check("numbers", "impacts", sound, "whole numbers of impacts from 1 on, increasing")
 
 
 @dataclass(frozen=True)
@@ -204,16 +208,12 @@ def read_impacts(
 def counts_impacts(data: MeasuredTable) -> bool:
     """Return whether a table has a column that counts impacts; False for a file that cannot be read."""
     reading = Reading(data).of(None)
-    data = reading.data
-    if not isinstance(data, str | Path):
-        names: Any = getattr(data, "columns", data)
-        return any(_heading(str(name))[0].lower() in NUMBERS for name in names)
-    try:
-        is_key = _key_test(reading.columns, NUMBERS)
-        layout = layout_of(text_of(Path(data)), is_key, reading.skip)
-    except InputError:
-        return False
-    return layout is not None and any(is_key(k, cell) for k, cell in enumerate(layout.headings))
+    names: Any = [] if reading.source else getattr(reading.data, "columns", reading.data)
+    is_key = _key_test(reading.columns, NUMBERS)
+    with suppress(InputError):
+        layout = layout_of(text_of(Path(reading.source)), is_key, reading.skip) if reading.source else None
+        names = names if layout is None else layout.headings
+    return any(is_key(k, str(name)) for k, name in enumerate(names))
 
 
 def _read(reading: Reading, keys: tuple[str, ...]) -> tuple[Array, dict[str, Array], dict[str, str], int, str]:

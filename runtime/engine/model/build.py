@@ -18,7 +18,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.common.execute_file import file_of_module, names_defined_by, names_imported, sympy_remedy
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, noted, refuse, unknown
 from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.runtime.engine.model.generated_text import module_in, module_of
 from hertzwerk.runtime.system import cache as disk
@@ -149,10 +149,8 @@ def vary(
         lambda varied: varied if coordinates is None else varied.with_coordinates(coordinates),
     ]
     for change in changes:
-        try:
+        with noted(faults):
             scene = change(scene)
-        except InputError as error:
-            faults.extend(error.faults)
     refuse(scene.name, faults)
     return scene
 

@@ -229,13 +229,14 @@ class EngineModel:
         """Return the pieces of the inputs in the order of a run; None for a scene without inputs."""
         return Schedule([self.signals[name] for name in self.inputs]) if self.inputs else None
 
-    def function(self, name: str) -> Any:
+    def function(self, name: str, beside: tuple[str, ...] = ()) -> Any:
         """Return the CasADi function of one of the module's builders, e.g. "gaps" or "contact_slider_pin".
 
-        Inputs and outputs as the module documents them. Raises InputError for an unknown name.
+        Inputs and outputs as the module documents them. Raises InputError for an unknown name, with those that there are
+        `beside` the module's.
         """
         if not isinstance(name, str) or not self.has_function(name):
-            known = [*filter(self.has_function, _INPUTS), *(f"contact_{pair}" for pair in self.pairs)]
+            known = [*filter(self.has_function, _INPUTS), *(f"contact_{pair}" for pair in self.pairs), *beside]
             raise InputError(self.name, [unknown("function", name, known)])
         return self._build(name)
 

@@ -176,11 +176,9 @@ def _difference(module: Derived, path: Path, folder: Path | None) -> Difference 
     options = {"--coordinates": module.coordinates, "--out": folder}
     words = [str(word) for option, value in options.items() if value is not None for word in (option, value)]
     accept = shlex.join(["hertzwerk", "derive", module.target, *words])
-    if not present:
-        return Difference(path, "", accept)
     before, after = (text.splitlines(keepends=True) for text in (present, module.text))
     diff = difflib.unified_diff(before, after, f"{module.name}.py in place", f"{module.name}.py derived")
-    return Difference(path, "".join(diff), accept)
+    return Difference(path, "".join(diff) if present else "", accept)
 
 
 def generated_names() -> tuple[str, ...]:

@@ -53,11 +53,8 @@ class Histories(Mapping[str, np.ndarray]):
     def __contains__(self, name: object) -> bool:
         return isinstance(name, str) and name in self.units
 
-    def __eq__(self, other: object) -> bool:
-        return self is other
-
-    def __hash__(self) -> int:
-        return id(self)
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
 
 
 class History(Histories):

@@ -6,8 +6,9 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, noted, refuse, shown, unknown
 from hertzwerk.derive.common.units import UnitError, parse_unit, rate_remedy
 from hertzwerk.runtime.engine.inputs.measurement_csv import Columns, MeasuredTable, Measurement, read_measurement
 from hertzwerk.runtime.engine.model.binding import Value, flag_faults, named_values, read, read_state
@@ -16,8 +17,7 @@ from hertzwerk.runtime.studies.comparison.alignment import Range
 from hertzwerk.runtime.studies.comparison.filtered_run import ORDERS, Instrument
 from hertzwerk.runtime.system.arrays import Array
 
-HERTZ = {"Hz": 1.0, "kHz": 1e3, "MHz": 1e6, "1/s": 1.0}
-FREQUENCY = re.compile(r"\s*(?P<number>[-+.\deE]+)\s*(?P<unit>Hz|kHz|MHz|1/s)\s*")
+HERTZ = {"Hz": "1/s", "kHz": "1/ms", "MHz": "1/us"}  # of periods; elsewhere hertz might count radians or turns
 
 AS_MEASURED = "Measurement(run.t, dict(run), run.units) makes a measurement of a run"
 Between = str | float | tuple[float, float]  # "-2..2 ms", (-0.002, 0.002), or one value
@@ -78,14 +78,11 @@ def read_comparison_request(
         faults.append(Fault("map", shown(map), "histories by column, such as {'acceleration': 'guide.acceleration'}"))
         map = None
     measurement: Measurement | None = None
-    try:
-        if isinstance(data, Histories):
-            raise InputError("data", [Fault("data", "a run", "measured data", AS_MEASURED)])
+    with noted(faults):
+        refuse("data", [Fault("data", "a run", "measured data", AS_MEASURED)] if isinstance(data, Histories) else [])
         measurement = (
             data if isinstance(data, Measurement) else read_measurement(data, None if map is None else list(map))
         )
-    except InputError as error:
-        faults += error.faults
     channels = read_channels(units, measurement, map, noise, faults)
     if faults or measurement is None:
         raise InputError("comparison with measured data", faults)
@@ -108,7 +105,10 @@ def read_channels(
     pairs = dict(map) if map is not None else {name: name for name in (measurement.columns if measurement else ())}
     for column, history in pairs.items():
         if not isinstance(history, str) or history not in units or history == "t":
-            faults.append(_no_history(column, history, units, mapped=map is not None))
+            fault, mapped = unknown("history", history, [name for name in units if name != "t"]), map is not None
+            remedy = fault.remedy or ("" if mapped else f'name the history: --map "{column}=NAME"')
+            where = f"{column}, {fault.where}" if mapped else column
+            faults.append(Fault(where, fault.found, fault.expected, remedy))
         elif measurement is not None and column not in measurement.columns:
             faults.append(unknown("column", column, measurement.columns))
         elif measurement is not None:
@@ -117,12 +117,6 @@ def read_channels(
         faults.append(Fault("map", f"no column of {measurement.source or 'the data'}", "columns beside histories"))
     faults += [unknown("column", name, pairs) for name in noise if name not in pairs]
     return tuple(channels)
-
-
-def _no_history(column: str, history: object, units: Mapping[str, str], *, mapped: bool) -> Fault:
-    fault = unknown("history", history, [name for name in units if name != "t"])
-    remedy = fault.remedy or ("" if mapped else f'name the history: --map "{column}=NAME"')
-    return Fault(f"{column}, {fault.where}" if mapped else column, fault.found, fault.expected, remedy)
 
 
 def _channel(
@@ -161,15 +155,13 @@ def _instrument(
         faults.append(Fault("order", shown(order), f"a whole number in {ORDERS[0]}..{ORDERS[1]}"))
     if bandwidth is None:
         return None
-    expected = 'a positive cut-off frequency, such as "5 kHz"'
-    match = FREQUENCY.fullmatch(bandwidth) if isinstance(bandwidth, str) else None
-    try:
-        cut_off = float(bandwidth) if match is None else float(match["number"]) * HERTZ[match["unit"]]
-    except (TypeError, ValueError):
-        cut_off = math.nan
-    if (isinstance(bandwidth, str) and match is None) or isinstance(bandwidth, bool) or not 0 < cut_off < math.inf:
+    stated: Any = (bandwidth, "1/s")
+    if isinstance(bandwidth, str):
+        stated = re.sub(r"(?<=[\d.])\s*([kM]?Hz)", lambda unit: f" {HERTZ[unit[1]]}", bandwidth)
+    cut_off, fault = read_state("bandwidth", "1/s", stated)
+    if fault is not None or not cut_off > 0:
         remedy = "in Hz, kHz or MHz, of periods: rad/s is no frequency"
-        faults.append(Fault("bandwidth", shown(bandwidth), expected, remedy))
+        faults.append(Fault("bandwidth", shown(bandwidth), 'a positive cut-off frequency, such as "5 kHz"', remedy))
         return None
     return Instrument(cut_off, order, zero_phase) if whole and isinstance(order, int) else None
 

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, noted, shown, unknown
 from hertzwerk.runtime.engine.inputs.input_values import with_input_values
 from hertzwerk.runtime.engine.inputs.measurement_csv import (
     Columns,
@@ -280,13 +280,11 @@ def read_table(
             Fault("data", shown(data), "a file, a data frame, a Measurement, MeasuredImpacts, or an Experiment")
         )
         return None
-    try:
+    with noted(faults):
         if counts_impacts(data):
             return read_impacts(data, None if map is None else [c for c, h in map.items() if IMPACTS in f".{h}"])
         return read_measurement(data, None if map is None else [c for c, h in map.items() if IMPACTS not in f".{h}"])
-    except InputError as error:
-        faults += error.faults
-        return None
+    return None
 
 
 def mapped_columns(table: Columns | None, map: Mapping[str, str] | None, by_impacts: bool) -> dict[str, str] | None:

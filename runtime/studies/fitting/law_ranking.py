@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
+from hertzwerk.derive.common.faults import Fault, InputError, noted, refuse, shown
 from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.run_request import progress_of
@@ -69,10 +69,8 @@ def law_variants(model: EngineModel, laws: Mapping[str, Sequence[str]]) -> tuple
         if name in variants:
             faults.append(Fault("laws", f"{name} twice", "every law once"))
             continue
-        try:
+        with noted(faults):
             variants[name] = engine_model(model, laws=by_effect)
-        except InputError as error:
-            faults += [fault for fault in error.faults if fault not in faults]
     return variants, faults
 
 
@@ -97,10 +95,8 @@ def read_laws(
         )
         stated = how["parameters"]
         parameters = {name: value for name, value in (stated or {}).items() if name not in elsewhere}
-        try:
+        with noted(faults):
             request[law] = read_fit(model, data, own, **{**how, "parameters": parameters})
-        except InputError as error:
-            faults += [fault for fault in error.faults if fault not in faults]
     refuse("laws", faults)
     return request
 

@@ -38,8 +38,8 @@ from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.studies.minimisation.formula import Formula, names_in, read_formula
 from hertzwerk.runtime.studies.minimisation.minimum import Held, Minimum, Trial, best_of
+from hertzwerk.runtime.studies.sweeps.parameter_sweep import refused_by_sweep
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Measured, Output, chosen
-from hertzwerk.runtime.studies.uncertainty.propagation import refused_by_sweep
 from hertzwerk.runtime.system.lazy import cached_property
 
 STEP = 1e-4  # of a range: differences, and the check of derivatives
@@ -96,7 +96,7 @@ def minimise(
         **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time, "compiled": compiled},
     }
     values = {"parameters": parameters, "initial": initial, "inputs": inputs}
-    faults = refused_by_sweep(model, {**values, **settings}, None) + progress_faults(progress)
+    faults = refused_by_sweep({"target": model, **values, **settings}) + progress_faults(progress)
     ranges = _ranges(model, over, start, faults)
     texts = [objective, *(constraints if isinstance(constraints, Mapping) else ())]
     names = list(dict.fromkeys(name for text in texts for name in names_in(text)))

@@ -20,7 +20,7 @@ from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.faults import Fault, InputError, as_path, refuse, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, among, as_path, noted, refuse, shown, unknown
 from hertzwerk.runtime.engine.inputs.input_values import Input, input_text, with_input_values
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, Choices, read_choices, units_of_inputs
 from hertzwerk.runtime.engine.model import model as plain
@@ -248,10 +248,8 @@ def sweep(
     end = () if continued is None else tuple(state_units(model))
     row_arrays = read_row_arrays(model, **array_options, duration=duration, end=end, faults=faults)
     faults += worker_faults(workers, client)
-    try:
+    with noted(faults):
         Settings(**settings, compiled=compiled, sensitivities=derived_by(wanted)).check(model)
-    except InputError as error:
-        faults += error.faults
     if not faults and duration_follows(model, derived_by(wanted), duration):
         actual = f"{duration}, which changes with what derivatives are taken by"
         faults.append(Fault("duration", actual, 'a time, such as "24 ms"'))
@@ -272,6 +270,17 @@ def sweep(
             store.define(definition, text_of(model.module), widen=widen)
             table = _stored(table, plan, store, lambda: _filled(plan, batch, store, keys, progress))
     return replace(table, compiled=batch.compiled, wall_s=time.perf_counter() - began)
+
+
+def refused_by_sweep(arguments: Mapping[str, Any], workers: Any = None) -> list[Fault]:
+    """Return the faults that `sweep` finds in its arguments but `over`; nothing is computed."""
+    nobody = 0 if workers is None or (isinstance(workers, int) and workers > 0) else workers
+    try:
+        sweep(over={}, workers=nobody, **arguments)
+    except InputError as error:
+        ours = {"over", "workers"} if among(nobody, 0) else {"over"}
+        return [fault for fault in error.faults if fault.where not in ours]
+    raise AssertionError("a sweep without workers was computed")
 
 
 def _in_memory(plan: Plan, batch: Batch, table: Sweep, progress: Callable[[float], object] | None) -> Sweep:
@@ -442,21 +451,14 @@ class Plan:
             faults: list[Fault] = []
             try:
                 model, rest = self.choices.of(self.model, values)
-            except InputError as error:
-                first = first or error
-                continue
-            parameters, initial = split_values(model, rest)
-            try:
-                if self.row_arrays is not None:
-                    self.row_arrays.times(model, parameters)
-            except InputError as error:
-                faults += error.faults
-            try:
+                parameters, initial = split_values(model, rest)
+                with noted(faults):
+                    if self.row_arrays is not None:
+                        self.row_arrays.times(model, parameters)
                 check(model, Settings(**self.settings), parameters, initial, faults)
+                return
             except InputError as error:
                 first = first or error
-            else:
-                return
         if first is not None and len(self.design) <= LOOKED_AT:
             raise first
 

@@ -16,9 +16,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
 from hertzwerk.runtime.engine.inputs.input_values import Input
-from hertzwerk.runtime.engine.model import model as plain
 from hertzwerk.runtime.engine.model.binding import Value, flag_faults, whole_faults
 from hertzwerk.runtime.engine.model.free_quantities import quantities
 from hertzwerk.runtime.engine.run.continuation import with_steps
@@ -27,7 +26,7 @@ from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivative
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END
 from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.simulation import Solution, simulate
-from hertzwerk.runtime.studies.sweeps.parameter_sweep import outputs_of, sweep
+from hertzwerk.runtime.studies.sweeps.parameter_sweep import outputs_of, refused_by_sweep, sweep
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Measured
 from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep
 from hertzwerk.runtime.studies.uncertainty.correlation import Correlated, correlated_parts, covariance, read_correlation
@@ -111,7 +110,7 @@ def propagate(
     values: dict[str, Any] = {"parameters": parameters, "initial": initial, "inputs": inputs}
     arguments = {**values, "outputs": outputs, "functions": functions, **settings}
     arguments |= {"out": out, "widen": widen, "client": client, "progress": progress}
-    faults += refused_by_sweep(model, arguments, workers)
+    faults += refused_by_sweep({**arguments, "target": model}, workers)
     refuse(f"propagation of {model.name}", faults)
     # 2. one run
     means = {name: (float(one.mean()), known[name] or "1") for name, one in drawn.items()}
@@ -165,17 +164,6 @@ def _sample_faults(sample: object, indices: object) -> list[Fault]:
         expected = f"a power of two, {LEAST} to {MOST:,}, as Sobol points are balanced"
         faults.append(Fault("sample", shown(sample), expected))
     return [*faults, *flag_faults(indices=indices)]
-
-
-def refused_by_sweep(model: plain.EngineModel, arguments: Mapping[str, Any], workers: int | None) -> list[Fault]:
-    """Return the faults that `sweep` finds in its arguments; nothing is computed."""
-    nobody = 0 if workers is None or (isinstance(workers, int) and workers > 0) else workers
-    try:
-        sweep(model, {}, workers=nobody, **arguments)
-    except InputError as error:
-        ours = {"over", "workers"} if among(nobody, 0) else {"over"}
-        return [fault for fault in error.faults if fault.where not in ours]
-    raise AssertionError("a sweep over nothing was computed")
 
 
 def _derivatives(run: Solution, names: tuple[str, ...], duration: object) -> tuple[OutputDerivatives | None, str]:

@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, among, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, among, noted, shown, unknown
 from hertzwerk.runtime.engine.inputs.measurement_csv import MeasuredImpacts, MeasuredTable, Measurement
 from hertzwerk.runtime.engine.model.binding import Value, named_values
 from hertzwerk.runtime.engine.model.model import EngineModel
@@ -242,16 +242,14 @@ def _sight(model: EngineModel, series: MeasuredSeries, faults: list[Fault]) -> S
         if series.bandwidth is not None:
             faults.append(Fault("bandwidth", "beside a list of impacts", "none: a run's impacts are not filtered"))
         return _impacts(read_channels(impact_units(model), table, mapped, noise, faults), faults)
-    try:
+    with noted(faults):
         return _OverTime(
             read_comparison_request(
                 units_of(model, None), table, mapped, bandwidth=series.bandwidth, order=series.order,
                 zero_phase=series.zero_phase, offset=0.0, drift=0.0, noise=noise,
             )
         )  # fmt: skip
-    except InputError as error:
-        faults += error.faults
-        return None
+    return None
 
 
 def _impacts(channels: tuple[Channel, ...], faults: list[Fault]) -> _OfImpacts | None:
