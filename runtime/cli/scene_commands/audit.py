@@ -214,7 +214,7 @@ def _must_name_one(targets: Sequence[str], laws: bool, expr: str | None, *, stra
         ("--unit, --value or --expect without --expr", "--expr TEXT beside them"): stray and expr is None,
         ("--format with --json, or without files", "scenes, files or folders, and one of both"): alone,
     }
-    refuse("audit", [Fault("audit", found, expected) for (found, expected), there in wrong.items() if there])
+    refuse("audit", [Fault("audit", *texts) for texts, there in wrong.items() if there])
 
 
 def _audit_expression(text: str, units: Sequence[str], values: Sequence[str], expect: str | None, as_json: bool) -> int:
