@@ -121,7 +121,7 @@ def motion(declared):
     return np.hstack([positions[:, 3 * body :][:, :3], rotations[:, 9 * body :][:, :9]])
 
 
-@pytest.mark.by_turns(6)
+@pytest.mark.by_turns(12)
 @pytest.mark.parametrize(
     "name", [name if name in FAST else pytest.param(name, marks=pytest.mark.exhaustive) for name in CHAINS]
 )

@@ -269,7 +269,7 @@ FAULTS = {
 }  # fmt: skip
 
 
-@pytest.mark.by_turns(2)
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_fault_in_the_wear_is_seen(monkeypatch, fault):
     check, change, *where = FAULTS[fault]
