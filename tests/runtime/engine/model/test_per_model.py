@@ -54,7 +54,8 @@ def test_inputs_that_differ_are_distinguished_and_equal_ones_are_not():
     values = (1, True, 1.0, "1", None, 0.0, -0.0, math.nan, (1, "m"), (1.0, "m"), (True, "m"), {"a": 1}, {"a": True})
     assert len({_key(value) for value in values}) == len(values)
     assert _key(("24 ms", {"mass": (0.2, "kg")}, {})) == _key(("24 ms", {"mass": (0.2, "kg")}, {}))
-    assert _key([1]) != _key([1])  # never found again
+    assert _key([1]) == _key([1]) != _key([True])
+    assert _key(lambda: 1) != _key(lambda: 1)  # never found again
     model = engine_model("bouncing_ball")
     simulate(model, duration="0.1 s", tolerance=1e-6, parameters={"restitution": 1.0})
     with pytest.raises(InputError):
