@@ -220,7 +220,7 @@ def _chart(form: Form, bounces: Sequence[Bounce]) -> Chart:
                   tuple(Curve(b.law, b.t, b.height * 1e3) for b in shown)),
             Panel(f"Hysteresis loop of the first impact, e = {DRAWN:g}", Axis("penetration", "µm"), Axis("force", "kN"),
                   tuple(Curve(b.law, b.loop[2] * 1e6, b.loop[1] * 1e-3) for b in shown)),
-            Panel("Restitution returned less that requested", axis, Axis("e out - e in"), over_e(lambda b: b.out - b.e_in), y_limits=(-0.4, 0.65)),
+            Panel("Restitution out minus restitution in", axis, Axis("e out - e in"), over_e(lambda b: b.out - b.e_in), y_limits=(-0.4, 0.65)),
             Panel("Energy lost in the first impact", axis, Axis("share of the energy"), (
                 Curve("1 - e²", np.linspace(0.05, 1, 50), 1 - np.linspace(0.05, 1, 50) ** 2, look="reference"), *over_e(lambda b: b.lost))),
             Panel("Duration over that of the elastic impact", axis, Axis("duration/elastic"), over_e(lambda b: b.duration / form.duration)),

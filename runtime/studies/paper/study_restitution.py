@@ -226,7 +226,7 @@ def _deviations(taking: Sequence[Returned]) -> Chart:
         marks = tuple((end, f"recommended {side} {end:g}") for side, end in ends if 0 < end < 1)
         title, limits = f"{law.law} ({law.grade})", (-SCALE, SCALE)
         panels.append(Panel(title, Axis("e in"), Axis("e out - e in"), tuple(curves), marks, y_limits=limits))
-    return Chart("deviations", "Restitution returned less that requested", tuple(panels), columns=3)
+    return Chart("deviations", "Restitution out minus restitution in", tuple(panels), columns=3)
 
 
 def _together(taking: Sequence[Returned]) -> Chart:
