@@ -166,13 +166,14 @@ def moves_with_events(model: EngineModel) -> bool:
     by_time, by_state = 1, 2
     of_input, depends = (by_time, by_state, 0, by_state), [0] * function.sz_w()
     for k in range(function.n_instructions()):
-        operation, to = function.instruction_id(k), function.instruction_output(k)
-        of = function.instruction_input(k)
+        operation, of, to = function.instruction_id(k), function.instruction_input(k), function.instruction_output(k)
         if operation == ca.OP_INPUT:
             depends[to[0]] = of_input[of[0]] if of[0] < len(of_input) else 0
         elif operation != ca.OP_OUTPUT:
-            depends[to[0]] = reduce(or_, (depends[i] for i in of), 0)
-            if operation in _JUMPING and depends[to[0]] == by_time:
+            on = reduce(or_, (depends[i] for i in of), 0)
+            for i in to:
+                depends[i] = on
+            if operation in _JUMPING and on == by_time:
                 return False
     return not model.inputs  # which may jump
 
