@@ -18,9 +18,9 @@ TIGHTEST = 1e-13  # tolerance of the runs that differences are taken of, by dop8
 NOISY = (2e-13, 3e-13)  # of two that tell their noise: one may end by chance as the tightest does
 SHORT = {  # within the horizon of derivatives: with some impacts, before they have grown a thousandfold
     "ball_between_walls": "50 ms", "bouncing_ball": "2 s", "four_bar_clearance": "6 ms", "newtons_cradle": "0.5 s",
-    "slider_crank": "1.5 ms", "slider_crank_frictionless": "1.5 ms", "slider_crank_two_clearances": "0.7 ms",
-    "slider_crank_three_clearances": "1.5 ms", "slider_crank_dc_motor": "1.5 ms", "spatial_slider_crank": "3 ms",
-    "translational_clearance": "3 ms", "two_spheres": "50 ms", "soft_ball": "1 s", "journal_in_bearing": "3 ms",
+    "slider_crank": "1.5 ms", "slider_crank_line": "1.5 ms", "slider_crank_frictionless": "1.5 ms",
+    "slider_crank_two_clearances": "0.7 ms", "slider_crank_three_clearances": "1.5 ms", "slider_crank_dc_motor": "1.5 ms",
+    "spatial_slider_crank": "3 ms", "translational_clearance": "3 ms", "two_spheres": "50 ms", "soft_ball": "1 s", "journal_in_bearing": "3 ms",
     "cam_follower": "5 ms", "woodpecker": "20 ms", "andrews_squeezer": "3 ms", "geared_hoist": "0.2 s",
     "gears_with_backlash": "15 ms", "geneva_drive": "30 ms", "ball_bearing": "0.3 ms", "ball_on_oil": "8 ms",
 }  # fmt: skip
