@@ -122,10 +122,13 @@ def _declares(file: Path) -> bool:
         tree = ast.parse(file.read_bytes())
     except (OSError, SyntaxError, ValueError, RecursionError, MemoryError):
         return _mentions(file, b"hertzwerk")
-    imports = [ast.unparse(node).split()[1] for node in tree.body if isinstance(node, ast.Import | ast.ImportFrom)]
-    assigned = [name for node in tree.body if isinstance(node, ast.Assign | ast.AnnAssign) for name in ast.walk(node)]
-    return any(name.startswith("hertzwerk") for name in imports) and (
-        any(isinstance(name, ast.Name) and isinstance(name.ctx, ast.Store) and name.id == "scene" for name in assigned)
+    imported = any(
+        (isinstance(node, ast.ImportFrom) and (node.module or "").startswith("hertzwerk"))
+        or (isinstance(node, ast.Import) and any(alias.name.startswith("hertzwerk") for alias in node.names))
+        for node in tree.body
+    )
+    return imported and (
+        any(isinstance(target, ast.Name) and target.id == "scene" for node in tree.body for target in _targets(node))
         or any(
             isinstance(node, ast.Call) and ast.unparse(node.func).split(".")[-1] in _RECORDS for node in ast.walk(tree)
         )
@@ -135,3 +138,9 @@ def _declares(file: Path) -> bool:
 def _mentions(file: Path, text: bytes) -> bool:
     """Return whether a file that is not parsed has a text; it is then refused later, with the reason."""
     return os.access(file, os.R_OK) and text in file.read_bytes()
+
+
+def _targets(node: ast.stmt) -> list[ast.expr]:
+    if isinstance(node, ast.Assign):
+        return node.targets
+    return [node.target] if isinstance(node, ast.AnnAssign) else []

@@ -72,6 +72,13 @@ def test_law_files_and_scenes_without_laws_are_audited(hertzwerk, tmp_path):
     assert " ".join(done.output.split()) == expected
 
 
+def test_files_of_a_folder_that_define_a_scene_are_executed_and_no_others(hertzwerk, tmp_path):
+    (tmp_path / "beside.py").write_text("import os, hertzwerk.derive\n\nscene = 1 / 0\n")
+    (tmp_path / "plain.py").write_text("import hertzwerk\n\nnames = [scene for scene in 'ab']\nopen('run', 'w')\n")
+    assert "beside.py" in hertzwerk("audit", ".", code=2).output
+    assert not (tmp_path / "run").exists()
+
+
 @pytest.mark.parametrize(
     "arguments",
     [(), ("slider_crank", "--laws"), ("slider_crank", "--expect", "N"), ("nowhere.toml",), ("no_such_scene",)],
