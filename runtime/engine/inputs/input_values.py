@@ -37,9 +37,9 @@ Input: TypeAlias = Any
 """Value of an input, as this module's docstring lists them."""
 Duration: TypeAlias = str | float | None
 AnyModel = TypeVar("AnyModel", bound=EngineModel)
-FILE = re.compile(  # FILE.csv, or a file with a column
-    r"\s*(?P<file>[^?]+\.(?:[A-Za-z]+(?=(?:\?[^:]*)?:)|(?i:csv)))(?P<how>\?[^:]*)?(?::(?P<column>[^:]+?)(?::(?P<between>\w+))?)?\s*"
-)
+_HOW = r"(?P<how>\?[^:]*)?"
+_COLUMN = re.compile(rf"(?P<file>[^?]+\.[A-Za-z]+){_HOW}:(?P<column>[^:]+?)(?::(?P<between>\w+))?")
+_FILE = re.compile(rf"(?P<file>[^?]+\.csv){_HOW}", re.IGNORECASE)
 INPUTS = 'values of inputs by name, such as torque = "bench.csv:load"'
 FORMS = 'a value such as "0.5 N m", "FILE.csv:column", Samples(times, values, units), a Table or a function of the time'
 
@@ -61,16 +61,24 @@ def signals_of(
     return signals
 
 
+def in_file(value: object) -> dict[str, str]:
+    """Return file, how, column and between of "FILE?how:column:between" or "FILE.csv?how"; {} for others."""
+    text = value.strip() if isinstance(value, str) else ""
+    written = _COLUMN.fullmatch(text) or _FILE.fullmatch(text)
+    return {} if written is None else {part: found for part, found in written.groupdict().items() if found is not None}
+
+
 def located(value: Input, folder: Path) -> Input:
     """Return "NAME=FILE:column", or "FILE:column", with the file as seen from a folder; other values stay."""
     if not isinstance(value, str):
         return value
     before, query, how = value.partition("?")
-    name, equals, file = before.rpartition("=")
-    written = FILE.fullmatch(file + query + how)
-    if written is None or Path(written["file"]).is_absolute():
+    name, equals, rest = before.rpartition("=")
+    rest = (rest + query + how).strip()
+    file = in_file(rest).get("file", "")
+    if not file or Path(file).is_absolute():
         return value
-    return f"{name}{equals}{folder / written['file']}{written.string[written.end('file') :].rstrip()}"
+    return f"{name}{equals}{folder / file}{rest[len(file) :]}"
 
 
 def input_text(value: Input) -> str | None:
@@ -105,9 +113,9 @@ def signal_of(name: str, value: Input, unit: str, seconds: float, faults: list[F
     where = f"input {name}"
     if isinstance(value, Signal):
         return value
-    if isinstance(value, str) and (file := FILE.fullmatch(value)):
-        column, between = (file["column"] or name).strip(), file["between"] or "linear"
-        return _of_file(where, file["file"], file["how"], column, between, unit, faults)
+    if parts := in_file(value):
+        column, between = parts.get("column", name).strip(), parts.get("between", "linear")
+        return _of_file(where, parts["file"], parts.get("how", ""), column, between, unit, faults)
     if isinstance(value, Samples):
         return _checked(where, value.faults(where), value.units, unit, value.signal, faults)
     if hasattr(value, "pieces") and hasattr(value, "units"):
@@ -188,13 +196,11 @@ def _reading(file: str, how: str) -> Reading:
     return Reading(file, **{**settings, "columns": settings["columns"] or None})
 
 
-def _of_file(
-    where: str, file: str, how: str | None, name: str, between: str, unit: str, faults: list[Fault]
-) -> Signal | None:
+def _of_file(where: str, file: str, how: str, name: str, between: str, unit: str, faults: list[Fault]) -> Signal | None:
     from hertzwerk.runtime.engine.inputs.measurement_csv import read_measurement
 
     try:
-        measured = read_measurement(_reading(file, how or ""), [name])
+        measured = read_measurement(_reading(file, how), [name])
     except InputError as error:
         faults += [
             Fault(f"{where}, {fault.where}", fault.found, fault.expected, fault.remedy) for fault in error.faults

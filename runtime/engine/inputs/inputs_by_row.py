@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 
 from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.derive.common.units import UnitError
-from hertzwerk.runtime.engine.inputs.input_values import FILE, input_text, located, signal_of
+from hertzwerk.runtime.engine.inputs.input_values import in_file, input_text, located, signal_of
 from hertzwerk.runtime.engine.model.binding import Value, read, read_state
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.si_values import si_of, si_text
@@ -111,7 +111,7 @@ def read_choices(
 def located_choices(varied: Any, folder: Path) -> Any:
     """Return what is varied with its files as seen from a folder, labels as they are; others stay."""
     choices = _listed(varied) or {}
-    if not any(isinstance(x, str) and FILE.fullmatch(x) for x in choices.values()):
+    if not any(map(in_file, choices.values())):
         return varied
     return {label: located(x, folder) for label, x in choices.items()}
 
@@ -145,7 +145,7 @@ def _listed(choices: Any) -> dict[str, Any] | None:
         return {str(label): value for label, value in choices.items()}
     if isinstance(choices, str):
         parts = [part.strip() for part in choices.split(",")]
-        return {part: part for part in parts} if any(map(FILE.fullmatch, parts)) else None
+        return {part: part for part in parts} if any(map(in_file, parts)) else None
     alone = not isinstance(choices, list | tuple) or _plain(choices)
     values: Iterable[Any] = [choices] if alone else choices
     return None if all(map(_plain, values)) else _by_name(values)

@@ -11,7 +11,7 @@ from hertzwerk.derive import InputError
 from hertzwerk.runtime import Samples, equilibrium, modes, simulate, sweep
 from hertzwerk.runtime.analysis.validation.scenario import load_scenario
 from hertzwerk.runtime.analysis.validation.validate import run_scenario, validate
-from hertzwerk.runtime.engine.inputs.input_values import located
+from hertzwerk.runtime.engine.inputs.input_values import in_file, located
 from hertzwerk.runtime.studies.sweeps.definition_file import read_definition_file
 
 TIMES, LOADS = (0.0, 0.5, 1.0, 2.0), (0.0, 3.0, -1.0, 0.0)
@@ -97,3 +97,14 @@ def test_files_are_seen_from_a_folder(text, there, tmp_path):
     from pathlib import Path
 
     assert located(text, Path("/data")) == there
+
+
+@pytest.mark.parametrize(
+    ("text", "parts"),
+    [
+        ("bench.tsv:t.csv", {"file": "bench.tsv", "column": "t.csv"}), ("bench.csv: ", {}), ("bench.tsv", {}), (3.0, {}),
+        ("bench.CSV?missing=N/A ", {"file": "bench.CSV", "how": "?missing=N/A"}),
+    ],
+)  # fmt: skip
+def test_a_column_may_be_called_as_a_file_and_blanks_around_do_not_count(text, parts):
+    assert in_file(text) == parts
