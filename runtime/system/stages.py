@@ -5,9 +5,8 @@ The code of a stage, and what it reads, stays in the processor's cache for all o
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Generator, Sequence
-from itertools import count, zip_longest
+from itertools import zip_longest
 from typing import TypeAlias, TypeVar
 
 Result = TypeVar("Result")
@@ -22,5 +21,6 @@ def in_stages(pieces: Sequence[Stages[Result]]) -> list[Result]:
     def in_place(i: int, piece: Stages[Result]) -> Stages[None]:
         results[i] = yield from piece
 
-    deque(zip_longest(*map(in_place, count(), pieces)), 0)
+    for _ in zip_longest(*(in_place(i, piece) for i, piece in enumerate(pieces))):
+        pass
     return [results[i] for i in range(len(pieces))]

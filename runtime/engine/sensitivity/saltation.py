@@ -108,7 +108,7 @@ class Jumps:
     @cached_property
     def change(self) -> np.ndarray:
         """Maps (j, size, n + P) to the changes of what is watched, at fixed time."""
-        shift = -self.at.to_state @ self.slopes[0][:, :, None]
+        shift = (self.at.to_time - self.speed)[:, :, None]
         return np.concatenate([self.at.to_state, self.at.to_memory, shift, self.at.by_constants], axis=2)
 
     @cached_property

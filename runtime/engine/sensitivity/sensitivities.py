@@ -210,10 +210,8 @@ class Sensitivities:
         """
         history, layout = self.history, self.history.engine.layouts.controls
         n = history.model.nq + history.model.nu
-        followed = self._followed
-        changes = (
-            np.abs(at_fixed_time(followed.after, followed.slopes)[:, :n]) / history.controls[layout["scale"]][:n, None]
-        )
+        fixed = at_fixed_time(self._followed.after, self._followed.slopes)
+        changes = np.abs(fixed[:, :n]) / history.controls[layout["scale"]][:n, None]
         sizes = changes.max(axis=1, initial=0.0)
         of_states = ~self._directions.dp.any(axis=0)
         sizes *= np.where(of_states, 1 / np.where(of_states & (sizes[0] > 0), sizes[0], 1), self._directions.sizes)
@@ -316,10 +314,8 @@ class Sensitivities:
     def _just_after(self, name: str, rows: np.ndarray) -> np.ndarray:
         """Return the changes (n, P) of a history just after the events before rows, whose times change too."""
         event, ny = self._followed.at_rows[rows], self.history.engine.layouts.state.sizes["y"]
-        at, changes = (
-            tangent(Readout(name), self.history, self.history.rows[rows], self._directions),
-            self._followed.after[rows],
-        )
+        at = tangent(Readout(name), self.history, self.history.rows[rows], self._directions)
+        changes = self._followed.after[rows]
         there = at.along(changes[:, :ny], changes[:, ny:-1])[:, 0] + at.to_time * self._followed.times[event]
         return np.where(event[:, None] >= 0, there, np.nan)
 
