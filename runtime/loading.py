@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, among, faults_if, refuse, shown, unknown
 from hertzwerk.runtime.engine.integration.loop.attempt import integrator
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH
@@ -159,13 +159,13 @@ def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list
     pairs = () if laws is None else laws.items() if isinstance(laws, Mapping) else ((laws, None),)
     by_effect = all(isinstance(name, str) and isinstance(law, str) for name, law in pairs)
     built_in = "the name of a built-in scene, a Python file, a Scene, a Model or a generated module"
-    checks = {
-        "target": (target, objects, built_in),
-        "without": (without, names, "a list of names of effects"),
-        "laws": (laws, by_effect, 'laws by the names of effects, such as {"floor": "flores"}'),
-        "coordinates": (coordinates, isinstance(coordinates, str | None), '"tree", "absolute" or "auto"'),
-    }
-    return [Fault(name, shown(value), expected) for name, (value, sound, expected) in checks.items() if not sound]
+    by_name = 'laws by the names of effects, such as {"floor": "flores"}'
+    return faults_if(
+        (not objects, Fault("target", shown(target), built_in)),
+        (not names, Fault("without", shown(without), "a list of names of effects")),
+        (not by_effect, Fault("laws", shown(laws), by_name)),
+        (not isinstance(coordinates, str | None), Fault("coordinates", shown(coordinates), '"tree", "absolute" or "auto"')),
+    )  # fmt: skip
 
 
 Target: TypeAlias = "str | Path | Scene | ModuleType | Model | EngineModel"

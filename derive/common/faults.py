@@ -142,6 +142,11 @@ def noted(faults: list[Fault]) -> Iterator[None]:
         faults += [fault for fault in error.faults if fault not in faults]
 
 
+def faults_if(*checks: tuple[bool, Fault]) -> list[Fault]:
+    """Return the faults whose condition holds."""
+    return [fault for wrong, fault in checks if wrong]
+
+
 def refuse(subject: str, faults: Collection[Fault]) -> None:
     """Raise InputError with faults, if there are any."""
     if faults:

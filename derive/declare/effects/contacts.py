@@ -118,25 +118,25 @@ class Contact(PairEffect):
 
     def _plastic_faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of what does not go with an elastic-plastic law, and of a spot without one."""
-        law, pair, where = self.plastic, scene.mechanism.pair_named.get(self.pair), self.where
+        law, pair = self.plastic, scene.mechanism.pair_named.get(self.pair)
         if law is None:
             if self.same_spot:
-                yield Fault(where, f"same_spot with {self.stiffness.law.name}, which leaves no dent", "an elastic-plastic law",
+                yield Fault(self.where, f"same_spot with {self.stiffness.law.name}, which leaves no dent", "an elastic-plastic law",
                             "laws.thornton, kogut_etsion and jackson_green leave one.")  # fmt: skip
             return
+        if self.smooth is not None:
+            yield Fault(self.where, f"smooth with {law.name}", "an elastic law",
+                        "Its force has kinks at the largest penetration, which smoothing of the beginning leaves.")  # fmt: skip
+        if pair is not None and pair.journal:
+            yield Fault(self.where, f"law {law.name} at a {pair.kind} pair", "surfaces that are not conforming",
+                        "Elastic-plastic laws are for spheres on spheres and planes.")  # fmt: skip
+        if any(effect.kind == "wear" and self.pair in effect.pairs for effect in scene.effects):
+            yield Fault(self.where, f"law {law.name} at a pair that wears", "an elastic law, or no wear",
+                        "Both would change the gap, and no law states how together.")  # fmt: skip
         damping = None if self.damping is None else self.damping.law
-        checks: tuple[tuple[Any, ...], ...] = (
-            (self.smooth is not None, f"smooth with {law.name}", "an elastic law",
-             "Its force has kinks at the largest penetration, which smoothing of the beginning leaves."),
-            (pair is not None and pair.journal, f"law {law.name} at a {getattr(pair, 'kind', '')} pair", "surfaces that are not conforming",
-             "Elastic-plastic laws are for spheres on spheres and planes."),
-            (any(effect.kind == "wear" and self.pair in effect.pairs for effect in scene.effects), f"law {law.name} at a pair that wears",
-             "an elastic law, or no wear", "Both would change the gap, and no law states how together."),
-            (damping is not None and (d in damping.quantities or k_t in damping.quantities),
-             f"law {getattr(damping, 'name', '')} beside {law.name}", "no damping, or one that is a factor of the elastic force",
-             "hunt_crossley and the other laws of hysteresis dissipate in addition to the dent."),
-        )  # fmt: skip
-        yield from (Fault(where, *texts) for wrong, *texts in checks if wrong)
+        if damping is not None and (d in damping.quantities or k_t in damping.quantities):
+            yield Fault(self.where, f"law {damping.name} beside {law.name}", "no damping, or one that is a factor of the elastic force",
+                        "hunt_crossley and the other laws of hysteresis dissipate in addition to the dent.")  # fmt: skip
 
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the memory of an elastic-plastic law, and the change of a gap that drives alone move.

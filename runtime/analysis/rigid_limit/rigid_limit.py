@@ -296,13 +296,13 @@ def rigid_limit(
     model: EngineModel = engine_model(target)
     faults = [*refused(model), *progress_faults(progress)]
     values, wanted = stated_values(model, parameters, initial, faults)
+    if not among(impacts, TOGETHER, IN_TURN):
+        faults.append(Fault("impacts", shown(impacts), f'"{TOGETHER}" or "{IN_TURN}"'))
+    if stiffness and stiffness not in model.parameters:
+        faults.append(unknown("parameter", stiffness, model.parameters))
     sound = isinstance(factors, list | tuple) and all(is_real(factor) and factor > 0 for factor in factors)
-    checks = (
-        (among(impacts, TOGETHER, IN_TURN), Fault("impacts", shown(impacts), f'"{TOGETHER}" or "{IN_TURN}"')),
-        (not stiffness or stiffness in model.parameters, unknown("parameter", stiffness, model.parameters)),
-        (sound and list(factors) == sorted(set(factors)), Fault("factors", shown(factors), "numbers above zero that grow, such as (1, 10, 100)")),
-    )  # fmt: skip
-    faults += [fault for right, fault in checks if not right]
+    if not sound or list(factors) != sorted(set(factors)):
+        faults.append(Fault("factors", shown(factors), "numbers above zero that grow, such as (1, 10, 100)"))
     settings = Settings(duration, accuracy, None)
     faults += settings.faults()
     of_pairs = law if isinstance(law, Mapping) else dict.fromkeys(model.pairs, law)

@@ -15,7 +15,7 @@ from urllib.parse import quote
 
 import click
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse
+from hertzwerk.derive.common.faults import Fault, InputError, faults_if, refuse
 from hertzwerk.runtime.cli.terminal import BAD_INPUT, GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
 
 if TYPE_CHECKING:
@@ -209,12 +209,12 @@ def _start_faults(target: str | Scene) -> Sequence[Fault]:
 def _must_name_one(targets: Sequence[str], laws: bool, expr: str | None, *, stray: bool, alone: bool) -> None:
     named = [bool(targets), laws, expr is not None]
     actual = "nothing to audit" if not any(named) else "several things at once"
-    wrong = {
-        (actual, "scenes, files or folders; or --laws; or --expr"): sum(named) != 1,
-        ("--unit, --value or --expect without --expr", "--expr TEXT beside them"): stray and expr is None,
-        ("--format with --json, or without files", "scenes, files or folders, and one of both"): alone,
-    }
-    refuse("audit", [Fault("audit", *texts) for texts, there in wrong.items() if there])
+    faults = faults_if(
+        (sum(named) != 1, Fault("audit", actual, "scenes, files or folders; or --laws; or --expr")),
+        (stray and expr is None, Fault("audit", "--unit, --value or --expect without --expr", "--expr TEXT beside them")),
+        (alone, Fault("audit", "--format with --json, or without files", "scenes, files or folders, and one of both")),
+    )  # fmt: skip
+    refuse("audit", faults)
 
 
 def _audit_expression(text: str, units: Sequence[str], values: Sequence[str], expect: str | None, as_json: bool) -> int:

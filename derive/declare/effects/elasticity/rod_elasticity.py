@@ -40,7 +40,8 @@ class RodElasticity(Effect):
         forces: dict[str, Any] = {}
         for d, stiffness in enumerate(rod.stiffnesses):
             part = slice(d * count, (d + 1) * count)
-            rows, q, u, unit = freedom.forces[part], coordinates[part], speeds[part], stiffness / length**3
+            rows, q, u = freedom.forces[part], coordinates[part], speeds[part]
+            unit = stiffness / length**3
             pace = 2 * ratio * unit / sp.sqrt(stiffness / (rod.mass * length**3))
             bent = [self._named(kin, unit, row, q, "bent") for row in curvature]
             damped = [self._named(kin, pace, row, u, "damped") for row in damping]

@@ -140,7 +140,9 @@ class Lubrication(PairEffect):
 
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the number of seams of the law that are passed; the first step finds it."""
-        yield from (State(name, "1", size=sp.S.One) for name in ("seams", *["ruptured"] * self.cavitation))
+        yield State("seams", "1", size=sp.S.One)
+        if self.cavitation:
+            yield State("ruptured", "1", size=sp.S.One)
 
     def element(self, kin: Kinematics) -> Element:
         """Element of the film; outputs: size of its force [N], least thickness [m].

@@ -154,35 +154,45 @@ class Wear(PairEffect):
             known = [other.name for other in scene.mechanism.pairs if other.wears]
             yield Fault(self.where, f"pair {self.pair}, a {pair.kind}", one_of(known, "a pin, a sphere or a corner"))
             return
-        contour, sphere, where = pair.wears == CONTOUR, hasattr(pair, "radius"), self.where
-        wrong_spot = not contour and self.second is None and (self.area is None) != sphere
-        wrong_plane = (
-            not contour and self.second is not None and (self.first is not None or self.track is None or not sphere)
-        )
-        count, sectors = self.sectors, contour or (self.second is not None and not wrong_plane)
-        films = [
-            other for other in scene.effects if contour and isinstance(other, Lubrication) and other.pair == self.pair
-        ]
-        checks: tuple[tuple[Any, ...], ...] = (
-            (self.first is None and self.second is None, where, "no specific wear rate", "one of `first` or of `second`"),
-            ((self.track is None) != (self.along is None) or (self.track is not None and contour), where,
-             "a track and a direction along it that do not belong together, or those of a pin",
-             "both for a plane that wears under a sphere, else neither"),
-            (wrong_spot, where, "no area" if self.area is None else "an area of a sphere", "an area for a corner, none for a sphere",
-             "A sphere's flat grows with its depth."),
-            (wrong_plane, where, f"a specific wear rate of the second body at {self.pair}", "a plane that wears alone, under a sphere",
-             "A plane wears along its `track`, under a sphere that keeps its form: leave `first` out, or `second`."),
-            (not contour and self.along is not None and abs(default_value(dot(self.along.unit, pair.normal.unit))) > 1e-9,
-             f"{where}, along", "a direction that is inclined to the plane", "one in the plane"),
-            (contour and pair.length is None, f"pair {self.pair}, length", "None", "a length, for the area of a sector",
-             "The length over which both touch: PinInBush(..., length=...)."),
-            (contour and self.area is not None, where, "an area of a pin in its bush", "none", "Its sectors have theirs."),
-            (sectors and not (isinstance(count, int) and count >= 4 and count & (count - 1) == 0), where,
-             f"sectors={count!r}", "a power of 2, at least 4"),
-            *((True, where, f"film {film.name} at {self.pair} too", "a dry pair", "A film in a worn gap has no law: leave one out.")
-              for film in films),
-        )  # fmt: skip
-        yield from (Fault(*texts) for wrong, *texts in checks if wrong)
+        if self.first is None and self.second is None:
+            yield Fault(self.where, "no specific wear rate", "one of `first` or of `second`")
+        if (self.track is None) != (self.along is None) or (self.track is not None and pair.wears == CONTOUR):
+            yield Fault(self.where, "a track and a direction along it that do not belong together, or those of a pin",
+                        "both for a plane that wears under a sphere, else neither")  # fmt: skip
+        yield from self._contour_faults(scene, pair) if pair.wears == CONTOUR else self._flat_faults(pair)
+
+    def _flat_faults(self, pair: Any) -> Iterator[Fault]:
+        """Yield faults of a flat of a sphere or a corner, or of a plane's track."""
+        sphere = hasattr(pair, "radius")
+        if self.second is None:
+            if (self.area is None) != sphere:
+                yield Fault(self.where, "no area" if self.area is None else "an area of a sphere",
+                            "an area for a corner, none for a sphere", "A sphere's flat grows with its depth.")  # fmt: skip
+        elif self.first is not None or self.track is None or not sphere:
+            yield Fault(self.where, f"a specific wear rate of the second body at {self.pair}", "a plane that wears alone, under a sphere",
+                        "A plane wears along its `track`, under a sphere that keeps its form: leave `first` out, or `second`.")  # fmt: skip
+        else:
+            yield from self._sector_faults()
+        if self.along is not None and abs(default_value(dot(self.along.unit, pair.normal.unit))) > 1e-9:
+            yield Fault(f"{self.where}, along", "a direction that is inclined to the plane", "one in the plane")
+
+    def _contour_faults(self, scene: Declared, pair: Any) -> Iterator[Fault]:
+        """Yield faults of the contours of a pin and its bush."""
+        if pair.length is None:
+            yield Fault(f"pair {self.pair}, length", "None", "a length, for the area of a sector",
+                        "The length over which both touch: PinInBush(..., length=...).")  # fmt: skip
+        if self.area is not None:
+            yield Fault(self.where, "an area of a pin in its bush", "none", "Its sectors have theirs.")
+        yield from self._sector_faults()
+        for other in scene.effects:
+            if isinstance(other, Lubrication) and other.pair == self.pair:
+                yield Fault(self.where, f"film {other.name} at {self.pair} too", "a dry pair",
+                            "A film in a worn gap has no law: leave one out.")  # fmt: skip
+
+    def _sector_faults(self) -> Iterator[Fault]:
+        count = self.sectors
+        if not (isinstance(count, int) and count >= 4 and count & (count - 1) == 0):
+            yield Fault(self.where, f"sectors={count!r}", "a power of 2, at least 4")
 
     def element(self, kin: Kinematics) -> Element:
         """The volume lost [m^3]; its states rest but in contact, whose forces are known there alone."""

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse
+from hertzwerk.derive.common.faults import Fault, InputError, faults_if, refuse
 from hertzwerk.derive.declare.mechanism.bodies import AXES, Body, Point, Z
 from hertzwerk.derive.declare.mechanism.joints.conditions import Condition
 from hertzwerk.derive.declare.mechanism.joints.joint import Freedom, Joint, Port
@@ -64,9 +64,9 @@ class FlexibleRod(Joint):
             "stiffness": stiffness,
             "damping_ratio": damping_ratio,
             "twist_inertia": twist_inertia,
-            **({} if stiffness_z is None else {"stiffness_z": stiffness_z}),
-            **({} if section_modulus is None else {"section_modulus": section_modulus}),
         }
+        optional = {"stiffness_z": stiffness_z, "section_modulus": section_modulus}
+        quantities |= {label: value for label, value in optional.items() if value is not None}
         faults = [
             Fault(label, repr(value), "a Parameter, or an expression of them")
             for label, value in quantities.items()
@@ -113,11 +113,13 @@ class FlexibleRod(Joint):
 
     def slots(self) -> Iterator[Slot]:
         """Yield its quantities; the mass is that of its start."""
-        stiffness, stiffness_z = (*self.stiffnesses, None)[:2]
-        slots: tuple[tuple[Any, ...], ...] = (("length", self.length, "m", POSITIVE), ("stiffness", stiffness, "N m^2", POSITIVE),
-                 ("stiffness z", stiffness_z, "N m^2", POSITIVE), ("damping ratio", self.damping_ratio, "1", NOT_NEGATIVE),
-                 ("section modulus", self.section_modulus, "m^3", POSITIVE))  # fmt: skip
-        yield from (Slot(f"joint {self.name}, {label}", value, *of) for label, value, *of in slots if value is not None)
+        where = f"joint {self.name}"
+        yield Slot(f"{where}, length", self.length, "m", POSITIVE)
+        for label, value in zip(("stiffness", "stiffness z"), self.stiffnesses, strict=False):
+            yield Slot(f"{where}, {label}", value, "N m^2", POSITIVE)
+        yield Slot(f"{where}, damping ratio", self.damping_ratio, "1", NOT_NEGATIVE)
+        if self.section_modulus is not None:
+            yield Slot(f"{where}, section modulus", self.section_modulus, "m^3", POSITIVE)
 
     def constraints(self) -> tuple[Condition, ...]:
         """None: it carries its end; raises InputError where it would close a loop."""
@@ -152,13 +154,13 @@ def _shape_faults(modes: Any, ends: Any, cubics: Any, stations: Any) -> Iterator
     """Faults of the number and kind of shapes, and of stations."""
     least = 0 if cubics is True else 1
     whole = isinstance(stations, tuple) and all(isinstance(at, int) and 0 <= at <= 100 for at in stations)
-    checks = (
-        (isinstance(cubics, bool), "cubics", cubics, "True or False", ""),
-        (isinstance(modes, int) and not isinstance(modes, bool) and least <= modes <= MOST, "modes", modes,
-         f"a number of modes from {least} to {MOST}", ""),
-        (isinstance(ends, tuple) and len(ends) == 2 and all(end in ENDS for end in ends), "ends", ends,
-         f"conditions of both ends, each {', '.join(ENDS[:-1])} or {ENDS[-1]}", 'Such as ("clamped", "free").'),
-        (whole and len({*stations}) == len(stations), "stations", stations,
-         "different whole percentages of the length, from 0 to 100", "Such as (0, 50, 100)."),
+    counted = isinstance(modes, int) and not isinstance(modes, bool) and least <= modes <= MOST
+    known = isinstance(ends, tuple) and len(ends) == 2 and all(end in ENDS for end in ends)
+    yield from faults_if(
+        (not isinstance(cubics, bool), Fault("cubics", repr(cubics), "True or False")),
+        (not counted, Fault("modes", repr(modes), f"a number of modes from {least} to {MOST}")),
+        (not known, Fault("ends", repr(ends), f"conditions of both ends, each {', '.join(ENDS[:-1])} or {ENDS[-1]}",
+                          'Such as ("clamped", "free").')),
+        (not whole or len({*stations}) < len(stations),
+         Fault("stations", repr(stations), "different whole percentages of the length, from 0 to 100", "Such as (0, 50, 100).")),
     )  # fmt: skip
-    yield from (Fault(label, repr(value), *texts) for sound, label, value, *texts in checks if not sound)
