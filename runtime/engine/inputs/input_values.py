@@ -65,7 +65,7 @@ def in_file(value: object) -> dict[str, str]:
     """Return file, how, column and between of "FILE?how:column:between" or "FILE.csv?how"; {} for others."""
     text = value.strip() if isinstance(value, str) else ""
     written = _COLUMN.fullmatch(text) or _FILE.fullmatch(text)
-    return {} if written is None else {part: found for part, found in written.groupdict().items() if found is not None}
+    return {} if written is None else {part: piece for part, piece in written.groupdict().items() if piece is not None}
 
 
 def located(value: Input, folder: Path) -> Input:
